@@ -1,0 +1,186 @@
+#include "MesoOptions.h"
+
+namespace
+{
+template <typename T>
+struct Entry
+{
+  T Value;
+  const char* Name;
+};
+
+constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" },
+  { MesoTechnique::Relief, "relief" } };
+constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
+  { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" } };
+constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap::Clamp, "clamp" },
+  { MesoWrap::Mirror, "mirror" } };
+constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" },
+  { MesoEffect::Occlusion, "occlusion" }, { MesoEffect::SelfShadow, "self_shadow" },
+  { MesoEffect::Depth, "depth" } };
+
+template <typename T, std::size_t N>
+const char* NameOf(const Entry<T> (&table)[N], T value)
+{
+  for (const auto& entry : table)
+  {
+    if (entry.Value == value)
+    {
+      return entry.Name;
+    }
+  }
+  return "";
+}
+
+template <typename T, std::size_t N>
+std::optional<T> FromName(const Entry<T> (&table)[N], const std::string& name)
+{
+  for (const auto& entry : table)
+  {
+    if (name == entry.Name)
+    {
+      return entry.Value;
+    }
+  }
+  return {};
+}
+
+template <typename T, std::size_t N>
+std::vector<std::string> AllNames(const Entry<T> (&table)[N])
+{
+  std::vector<std::string> names;
+  for (const auto& entry : table)
+  {
+    names.emplace_back(entry.Name);
+  }
+  return names;
+}
+}
+
+const char* MesoName(MesoTechnique value)
+{
+  return NameOf(Techniques, value);
+}
+
+const char* MesoName(MesoQuality value)
+{
+  return NameOf(Qualities, value);
+}
+
+const char* MesoName(MesoWrap value)
+{
+  return NameOf(Wraps, value);
+}
+
+const char* MesoName(MesoEffect value)
+{
+  return NameOf(EffectTable, value);
+}
+
+std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name)
+{
+  return FromName(Techniques, name);
+}
+
+std::optional<MesoQuality> MesoQualityFromName(const std::string& name)
+{
+  return FromName(Qualities, name);
+}
+
+std::optional<MesoWrap> MesoWrapFromName(const std::string& name)
+{
+  return FromName(Wraps, name);
+}
+
+std::optional<MesoEffect> MesoEffectFromName(const std::string& name)
+{
+  return FromName(EffectTable, name);
+}
+
+std::vector<std::string> MesoTechniqueNames()
+{
+  return AllNames(Techniques);
+}
+
+std::vector<std::string> MesoQualityNames()
+{
+  return AllNames(Qualities);
+}
+
+std::vector<std::string> MesoWrapNames()
+{
+  return AllNames(Wraps);
+}
+
+std::vector<std::string> MesoEffectNames()
+{
+  return AllNames(EffectTable);
+}
+
+MesoEffects::MesoEffects(std::initializer_list<MesoEffect> effects)
+{
+  for (MesoEffect effect : effects)
+  {
+    this->Set(effect, true);
+  }
+}
+
+void MesoEffects::Set(MesoEffect effect, bool on)
+{
+  const auto bit = static_cast<std::uint32_t>(effect);
+  this->Bits = on ? this->Bits | bit : this->Bits & ~bit;
+}
+
+MesoEffects MesoEffects::Without(const MesoEffects& other) const
+{
+  MesoEffects result;
+  result.Bits = this->Bits & ~other.Bits;
+  return result;
+}
+
+std::vector<std::string> MesoEffects::Names() const
+{
+  std::vector<std::string> names;
+  for (const auto& entry : EffectTable)
+  {
+    if (this->Has(entry.Value))
+    {
+      names.emplace_back(entry.Name);
+    }
+  }
+  return names;
+}
+
+MesoSearchSteps MesoStepsOfQuality(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+      return { 16, 5 };
+    case MesoQuality::Low:
+      return { 32, 6 };
+    case MesoQuality::Medium:
+      return { 64, 7 };
+    case MesoQuality::High:
+      return { 128, 8 };
+  }
+  return { 64, 7 };
+}
+
+MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
+{
+  switch (technique)
+  {
+    case MesoTechnique::Plain:
+      return {};
+    case MesoTechnique::Relief:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
+        MesoEffect::Depth };
+  }
+  return {};
+}
+
+MesoEffects MesoEffectsOn(const MesoMesostructureOptions& options)
+{
+  return options.Effects.Auto ? MesoEffectsOfTechnique(options.Technique) : options.Effects.Named;
+}

@@ -1,0 +1,129 @@
+#ifndef MesoOptions_h
+#define MesoOptions_h
+
+/**
+ * @file MesoOptions.h
+ * @brief The words that users choose from: techniques, qualities, effects, wraps.
+ *
+ * One struct of plain values, MesoMesostructureOptions, is what the scene file, the command line
+ * and the mappers share. Every enumeration has its name as the scene file spells it, and back.
+ */
+
+#include "mesoCommonCoreModule.h" // for export macro
+
+#include <array>   // for option values
+#include <cstdint> // for the effect set
+#include <optional>
+#include <string>
+#include <vector>
+
+enum class MesoTechnique
+{
+  Plain, ///< the base mesh, shaded
+  Relief ///< relief mapping in the tangent plane (Policarpo et al. 2005; paper 004 section 2.1)
+};
+
+/// How finely a technique searches; see MesoSearchSteps().
+enum class MesoQuality
+{
+  Draft,
+  Low,
+  Medium,
+  High
+};
+
+/// What lies outside the map's [0,1] x [0,1].
+enum class MesoWrap
+{
+  Repeat,
+  Clamp,
+  Mirror
+};
+
+/// What a technique can show. A set of them is a MesoEffects.
+enum class MesoEffect : std::uint32_t
+{
+  Shading = 1u << 0,    ///< the fine normal is used
+  Occlusion = 1u << 1,  ///< near detail hides far detail
+  SelfShadow = 1u << 2, ///< detail shades detail, for each light
+  Depth = 1u << 3       ///< the depth buffer is that of the detail
+};
+
+/// A set of effects.
+class MESOCOMMONCORE_EXPORT MesoEffects
+{
+public:
+  MesoEffects() = default;
+  MesoEffects(std::initializer_list<MesoEffect> effects);
+
+  bool Has(MesoEffect effect) const { return (this->Bits & std::uint32_t(effect)) != 0; }
+  void Set(MesoEffect effect, bool on);
+  bool Empty() const { return this->Bits == 0; }
+  bool operator==(const MesoEffects& other) const { return this->Bits == other.Bits; }
+  bool operator!=(const MesoEffects& other) const { return this->Bits != other.Bits; }
+  /// Those of this set that are not in `other`.
+  MesoEffects Without(const MesoEffects& other) const;
+  /// The names, in the order of the enumeration.
+  std::vector<std::string> Names() const;
+
+private:
+  std::uint32_t Bits = 0;
+};
+
+/// Number of linear and of binary search steps.
+struct MesoSearchSteps
+{
+  int Linear;
+  int Binary;
+};
+
+///@{
+/// The name as the scene file spells it, and back (empty where there is no such name).
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoTechnique value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoQuality value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoWrap value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoEffect value);
+MESOCOMMONCORE_EXPORT std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoQuality> MesoQualityFromName(const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoWrap> MesoWrapFromName(const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoEffect> MesoEffectFromName(const std::string& name);
+///@}
+
+///@{
+/// All names of a kind, for messages and help.
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoTechniqueNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoQualityNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoWrapNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoEffectNames();
+///@}
+
+/// Steps of linear and binary search of a quality.
+MESOCOMMONCORE_EXPORT MesoSearchSteps MesoStepsOfQuality(MesoQuality quality);
+
+/// The effects that a technique can show.
+MESOCOMMONCORE_EXPORT MesoEffects MesoEffectsOfTechnique(MesoTechnique technique);
+
+/// "auto" (all that the technique provides), or exactly the set named.
+struct MesoEffectChoice
+{
+  bool Auto = true;
+  MesoEffects Named;
+};
+
+/**
+ * How one actor's fine relief is drawn. Lengths are in object units (before the node's matrix).
+ */
+struct MesoMesostructureOptions
+{
+  MesoTechnique Technique = MesoTechnique::Plain;
+  MesoQuality Quality = MesoQuality::Medium;
+  MesoEffectChoice Effects;
+  double Scale = 0.0;                       ///< D: depth of the deepest point, object units, >= 0
+  std::array<double, 2> Tiles = { 1., 1. }; ///< map coordinate = texture coordinate x Tiles
+  MesoWrap Wrap = MesoWrap::Repeat;
+};
+
+/// The effects that are on: what is chosen, where "auto" means what the technique provides.
+MESOCOMMONCORE_EXPORT MesoEffects MesoEffectsOn(const MesoMesostructureOptions& options);
+
+#endif

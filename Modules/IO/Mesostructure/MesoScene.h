@@ -1,0 +1,135 @@
+#ifndef MesoScene_h
+#define MesoScene_h
+
+/**
+ * @file MesoScene.h
+ * @brief A scene file's contents as plain values, checked, with file names resolved.
+ *
+ * What each key means is said once, in Documentation/SceneFile.md and in the published JSON Schema
+ * (Documentation/scene.schema.json). Angles are degrees, matrices row-major, directions in world
+ * space. Reading never builds VTK objects: that is vtkMesoSceneBuilder's work.
+ */
+
+#include "MesoOptions.h"
+#include "mesoIOMesostructureModule.h" // for export macro
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// What is wrong with a file, in one line that names the file, the place in it and the reason.
+class MESOIOMESOSTRUCTURE_EXPORT MesoInputError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+using MesoVector3 = std::array<double, 3>;
+
+struct MesoSceneCamera
+{
+  MesoVector3 Position = { 0., 0., 5. };
+  MesoVector3 FocalPoint = { 0., 0., 0. };
+  MesoVector3 ViewUp = { 0., 1., 0. };
+  double ViewAngle = 30.;                             ///< vertical, degrees, in (0, 180)
+  std::optional<double> ParallelScale;                ///< > 0; makes the projection parallel
+  std::optional<std::array<double, 2>> ClippingRange; ///< default: fitted
+};
+
+struct MesoSceneLight
+{
+  enum class Kind
+  {
+    Headlight,
+    Directional,
+    Point,
+    Spot
+  };
+  Kind Type = Kind::Headlight;
+  MesoVector3 Direction = { 0., 0., -1. }; ///< directional: where the light travels
+  MesoVector3 Position = { 0., 0., 1. };
+  MesoVector3 FocalPoint = { 0., 0., 0. };
+  double ConeAngle = 30.; ///< half angle, degrees, in (0, 90)
+  double Exponent = 1.;
+  MesoVector3 Attenuation = { 1., 0., 0. }; ///< constant, linear, quadratic
+  MesoVector3 Color = { 1., 1., 1. };
+  double Intensity = 1.;
+  bool Shadow = true;
+  bool InCameraCoordinates = false;
+};
+
+struct MesoSceneMaterial
+{
+  MesoVector3 Color = { 1., 1., 1. };
+  std::string ColorMap; ///< resolved file name, or empty
+  double Ambient = 0.;
+  double Diffuse = 1.;
+  double Specular = 0.;
+  double SpecularPower = 1.;
+  double Opacity = 1.;
+  bool TwoSided = false;
+  bool Edges = false;
+};
+
+/// A mesh file, or a built-in shape with its numbers.
+struct MesoSceneMesh
+{
+  std::string File;  ///< resolved file name, or empty where Shape is given
+  std::string Shape; ///< "plane", "sphere", "cylinder", "torus"
+  /// The shape's numbers by key; a size in several directions has several values.
+  std::map<std::string, std::vector<double>> Parameters;
+  std::optional<double> FeatureAngle; ///< degrees; edges sharper than this split normals
+};
+
+/// A height or depth map: an image file or a built-in pattern, and what its numbers mean.
+struct MesoSceneMap
+{
+  std::string File;    ///< resolved file name, or empty where Pattern is given
+  std::string Pattern; ///< "brick", "smooth", "noise", "step"
+  std::array<int, 2> Size = { 256, 256 };
+  std::uint32_t Seed = 1;
+  std::map<std::string, double> Parameters;   ///< the pattern's further numbers by key
+  bool IsDepth = false;                       ///< brighter is lower (depth_map), else higher
+  std::optional<std::array<double, 2>> Range; ///< stored numbers that map to [0,1]
+  std::optional<std::array<double, 2>> SampleSpacing; ///< object units a sample
+};
+
+struct MesoSceneNode
+{
+  std::string Name;
+  /// Row-major; what `matrix` or translate * rotate * scale say.
+  std::array<double, 16> Matrix = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  std::optional<MesoSceneMesh> Mesh;
+  MesoSceneMaterial Material;
+  MesoMesostructureOptions Mesostructure;
+  std::optional<MesoSceneMap> Map;
+  std::vector<MesoSceneNode> Children;
+};
+
+struct MesoScene
+{
+  std::string File;
+  MesoSceneCamera Camera;
+  /// No `lights` key: one headlight; an empty list: none.
+  std::vector<MesoSceneLight> Lights = { MesoSceneLight() };
+  MesoVector3 Background = { 0., 0., 0. };
+  std::vector<MesoSceneNode> Nodes;
+};
+
+/**
+ * Read and check a scene file. Relative names are taken relative to the scene file's folder.
+ * Throws MesoInputError on anything that is not understood: the message names the file, the place
+ * ("nodes[0].mesostructure.height_map") and the reason. A key that is known but not yet served is
+ * refused with just that said.
+ */
+MESOIOMESOSTRUCTURE_EXPORT MesoScene MesoReadScene(const std::string& fileName);
+
+/// The same from text; `fileName` serves messages and relative names only.
+MESOIOMESOSTRUCTURE_EXPORT MesoScene MesoParseScene(
+  const std::string& text, const std::string& fileName);
+
+#endif
