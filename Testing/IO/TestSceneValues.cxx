@@ -1,12 +1,12 @@
 // What the scene reader makes of good scene files: every served key, the defaults, file names.
 
+#include "TemporaryFolder.h"
+
 #include "MesoScene.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 namespace
 {
@@ -181,13 +181,12 @@ TEST(SceneValues, ChildrenMakeATree)
 
 TEST(SceneValues, ReadsFromDiskAndChecksThatFilesAreThere)
 {
-  const auto folder = std::filesystem::temp_directory_path() /
-    ("meso-scene-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()));
-  std::filesystem::create_directories(folder);
-  const std::string scene = (folder / "scene.json").string();
-  std::ofstream(scene) << R"({"meso": 1, "nodes": [{"mesh": "a.obj"}]})";
+  const TemporaryFolder folder;
+  const std::string scene =
+    folder.Write("scene.json", R"({"meso": 1, "nodes": [{"mesh": "a.obj"}]})");
   EXPECT_THROW(MesoReadScene(scene), MesoInputError);
-  std::ofstream(folder / "a.obj") << "v 0 0 0\n";
-  EXPECT_EQ(MesoReadScene(scene).Nodes.at(0).Mesh->File, (folder / "a.obj").string());
-  std::filesystem::remove_all(folder);
+  folder.Write("a.obj", "v 0 0 0\n");
+  EXPECT_EQ(MesoReadScene(scene).Nodes.at(0).Mesh->File, folder.PathOf("a.obj"));
+  EXPECT_THROW(MesoReadScene(folder.PathOf("none.json")), MesoInputError);
+  EXPECT_THROW(MesoReadScene(folder.PathOf("")), MesoInputError);
 }

@@ -1,11 +1,11 @@
 #include "MesoJson.h"
 
+#include "MesoMessage.h"
 #include "MesoScene.h" // for MesoInputError
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <unordered_set>
 
@@ -227,25 +227,4 @@ MesoJsonValue MesoParseJson(const std::string& text, const std::string& fileName
   TreeBuilder builder(text, fileName);
   nlohmann::json::sax_parse(text, &builder);
   return std::move(builder.Root);
-}
-
-std::string MesoPrintable(const std::string& text)
-{
-  constexpr std::size_t longest = 160;
-  std::string result = text.substr(0, longest);
-  for (char& character : result)
-  {
-    if (static_cast<unsigned char>(character) < 0x20 || character == 0x7f)
-    {
-      character = ' ';
-    }
-  }
-  return text.size() > longest ? result + "..." : result;
-}
-
-std::string MesoNumberText(double value)
-{
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value).ptr;
-  return std::string(buffer, end);
 }

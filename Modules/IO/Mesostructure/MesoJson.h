@@ -47,10 +47,4 @@ struct MESOIOMESOSTRUCTURE_EXPORT MesoJsonValue
 MESOIOMESOSTRUCTURE_EXPORT MesoJsonValue MesoParseJson(
   const std::string& text, const std::string& fileName);
 
-/// Text of unknown origin as it may stand in a one-line message: no control characters, not long.
-MESOIOMESOSTRUCTURE_EXPORT std::string MesoPrintable(const std::string& text);
-
-/// A number in the fewest digits that give it back.
-MESOIOMESOSTRUCTURE_EXPORT std::string MesoNumberText(double value);
-
 #endif

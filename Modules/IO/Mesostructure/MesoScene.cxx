@@ -1,5 +1,6 @@
 #include "MesoScene.h"
 
+#include "MesoMessage.h"
 #include "MesoSceneSurface.h"
 #include "MesoSceneValue.h"
 

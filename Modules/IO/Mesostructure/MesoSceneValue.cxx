@@ -1,5 +1,7 @@
 #include "MesoSceneValue.h"
 
+#include "MesoMessage.h"
+
 #include <algorithm>
 #include <filesystem>
 
