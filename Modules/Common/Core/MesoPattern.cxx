@@ -1,0 +1,178 @@
+#include "MesoPattern.h"
+
+#include "MesoPatternFields.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace
+{
+struct Entry
+{
+  const char* Name;
+  std::vector<MesoParameter> Parameters;
+};
+
+MesoParameter Number(const char* key, double value, double least, double most)
+{
+  return { key, { value }, least, most, false };
+}
+
+MesoParameter Count(const char* key, double value, double least, double most)
+{
+  return { key, { value }, least, most, true };
+}
+
+const std::vector<Entry>& Table()
+{
+  static const std::vector<Entry> table = {
+    { "brick",
+      { Count("rows", 8., 1., 256.), Count("columns", 3., 1., 256.),
+        Number("mortar", 0.14, 0., 0.8), Number("bevel", 0.1, 0.01, 0.5),
+        Number("offset", 0.5, 0., 1.), Number("variation", 0.25, 0., 1.),
+        Number("roughness", 0.35, 0., 1.) } },
+    { "smooth", { Count("frequency", 3., 1., 8.), Number("falloff", 1., 0., 4.) } },
+    { "noise",
+      { Count("frequency", 4., 1., 1024.), Count("octaves", 5., 1., 10.),
+        Number("gain", 0.5, 0., 1.) } },
+    { "step", { Number("position", 0.5, 0., 1.), Number("low", 0., 0., 1.) } },
+  };
+  return table;
+}
+
+const Entry* Find(const std::string& pattern)
+{
+  for (const auto& entry : Table())
+  {
+    if (pattern == entry.Name)
+    {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+MesoPatternValues WithDefaults(const Entry& entry, const MesoPatternValues& values)
+{
+  MesoPatternValues all = values;
+  for (const auto& parameter : entry.Parameters)
+  {
+    all.emplace(parameter.Key, parameter.Default[0]);
+  }
+  return all;
+}
+
+// Conditions between the values of several keys.
+std::string JointProblem(const std::string& pattern, const MesoPatternValues& all)
+{
+  if (pattern == "brick")
+  {
+    if (all.at("offset") != 0. && std::fmod(all.at("rows"), 2.) != 0.)
+    {
+      return "'rows' must be even where 'offset' is not 0, else the bond does not tile";
+    }
+    if (all.at("mortar") > 0.8 * all.at("rows") / all.at("columns"))
+    {
+      return "'mortar' leaves no width to the bricks; fewer 'columns' or more 'rows' would";
+    }
+  }
+  if (pattern == "noise" &&
+    all.at("frequency") * std::exp2(all.at("octaves") - 1.) > MesoPatternMaximumSize)
+  {
+    return "'frequency' * 2^('octaves' - 1) is above " + std::to_string(MesoPatternMaximumSize);
+  }
+  return {};
+}
+}
+
+std::vector<std::string> MesoPatternNames()
+{
+  std::vector<std::string> names;
+  for (const auto& entry : Table())
+  {
+    names.emplace_back(entry.Name);
+  }
+  return names;
+}
+
+std::vector<MesoParameter> MesoPatternParameters(const std::string& pattern)
+{
+  const Entry* entry = Find(pattern);
+  return entry ? entry->Parameters : std::vector<MesoParameter>{};
+}
+
+std::string MesoPatternProblem(const std::string& pattern, const MesoPatternValues& values)
+{
+  const Entry* entry = Find(pattern);
+  if (!entry)
+  {
+    return "unknown pattern '" + pattern + "' (known: " + MesoListOfNames(MesoPatternNames()) + ")";
+  }
+  for (const auto& [key, value] : values)
+  {
+    const std::string problem = MesoParameterProblem(entry->Parameters, key, { value });
+    if (!problem.empty())
+    {
+      return "pattern '" + pattern + "': " + problem;
+    }
+  }
+  const std::string problem = JointProblem(pattern, WithDefaults(*entry, values));
+  return problem.empty() ? problem : "pattern '" + pattern + "': " + problem;
+}
+
+MesoPattern::MesoPattern(
+  const std::string& pattern, std::uint32_t seed, const MesoPatternValues& values)
+{
+  const std::string problem = MesoPatternProblem(pattern, values);
+  if (!problem.empty())
+  {
+    throw std::invalid_argument(problem);
+  }
+  const MesoPatternValues all = WithDefaults(*Find(pattern), values);
+  this->Function = pattern == "brick" ? MesoMakeBrickField(seed, all)
+    : pattern == "smooth"             ? MesoMakeSmoothField(seed, all)
+    : pattern == "noise"              ? MesoMakeNoiseField(seed, all)
+                                      : MesoMakeStepField(all);
+}
+
+double MesoPattern::At(double s, double t) const
+{
+  return std::clamp(this->Function->At(s - std::floor(s), t - std::floor(t)), 0., 1.);
+}
+
+void MesoPattern::Rows(std::array<int, 2> size, int first, int last, float* rows) const
+{
+  vtkSMPTools::For(first, last,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType j = begin; j < end; ++j)
+      {
+        float* row = rows + (j - first) * size[0];
+        for (int i = 0; i < size[0]; ++i)
+        {
+          row[i] = static_cast<float>(this->At((i + 0.5) / size[0], (j + 0.5) / size[1]));
+        }
+      }
+    });
+}
+
+std::vector<float> MesoMakePattern(const std::string& pattern, std::array<int, 2> size,
+  std::uint32_t seed, const MesoPatternValues& parameters)
+{
+  for (int side : size)
+  {
+    if (side < 1 || side > MesoPatternMaximumSize)
+    {
+      throw std::invalid_argument("pattern '" + pattern + "': size " + std::to_string(size[0]) +
+        " x " + std::to_string(size[1]) + ", allowed are 1 to " +
+        std::to_string(MesoPatternMaximumSize) + " a side");
+    }
+  }
+  const MesoPattern function(pattern, seed, parameters);
+  std::vector<float> heights(static_cast<std::size_t>(size[0]) * size[1]);
+  function.Rows(size, 0, size[1], heights.data());
+  return heights;
+}
