@@ -1,0 +1,221 @@
+// Scene files that are refused: each with the literal line that the user sees.
+
+#include "MesoJson.h"
+#include "MesoScene.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+std::string MessageOf(const std::string& text)
+{
+  try
+  {
+    MesoParseScene(text, "s.json");
+  }
+  catch (const MesoInputError& error)
+  {
+    return error.what();
+  }
+  return "read without an error";
+}
+
+std::string OfScene(const std::string& members)
+{
+  return MessageOf("{\"meso\": 1, " + members + "}");
+}
+
+std::string OfNode(const std::string& members)
+{
+  return OfScene("\"nodes\": [{" + members + "}]");
+}
+
+std::string OfRelief(const std::string& members)
+{
+  return OfNode(
+    R"("mesh": "a.obj", "mesostructure": {"technique": "relief", "scale": 1)" + members + "}");
+}
+
+bool Mentions(const std::string& message, const std::string& part)
+{
+  return message.find(part) != std::string::npos && message.find('\n') == std::string::npos;
+}
+}
+
+TEST(SceneRefusals, SyntaxGivesLineAndColumn)
+{
+  EXPECT_TRUE(Mentions(MessageOf("{\n  \"meso\": 1,\n}"), "s.json: line 3, column 1: "));
+  EXPECT_TRUE(Mentions(MessageOf(""), "s.json: line 1, column 1: "));
+  EXPECT_TRUE(Mentions(MessageOf("{\"meso\": 1"), "s.json: line 1, column 11: "));
+  EXPECT_TRUE(Mentions(MessageOf("{\"meso\": 1} x"), "s.json: line 1, column 13: "));
+  EXPECT_TRUE(Mentions(MessageOf("{\"meso\":\n 1e999}"), "s.json: line 2, column "));
+  EXPECT_TRUE(Mentions(MessageOf("{\"meso\": NaN}"), "s.json: line 1, column "));
+  EXPECT_TRUE(Mentions(MessageOf("\xff\xfe\x01"), "s.json: line 1, column "));
+  EXPECT_TRUE(Mentions(MessageOf(std::string(5, '\0')), "s.json: line 1, column 1: "));
+}
+
+TEST(SceneRefusals, Version)
+{
+  EXPECT_EQ(MessageOf("{}"), "s.json: meso is missing");
+  EXPECT_EQ(MessageOf("[1]"), "s.json: must be an object, is a list");
+  EXPECT_EQ(MessageOf(R"({"meso": 2, "new_key": 1})"),
+    "s.json: meso: scene format 2 is not known; this program reads format 1");
+  EXPECT_EQ(MessageOf(R"({"meso": "1"})"), "s.json: meso: must be a number, is a string");
+}
+
+TEST(SceneRefusals, DuplicateKeysAndDepth)
+{
+  EXPECT_EQ(OfScene(R"("nodes": [{}, {"name": "a", "name": "b"}])"),
+    "s.json: nodes[1].name: key given twice");
+  const std::string deep(MesoJsonMaximumDepth + 1, '[');
+  EXPECT_TRUE(Mentions(MessageOf(deep), ": nested deeper than 64 levels"));
+  EXPECT_TRUE(Mentions(MessageOf(std::string(1000000, '[')), ": nested deeper than 64 levels"));
+}
+
+TEST(SceneRefusals, UnknownKeys)
+{
+  EXPECT_EQ(OfNode(R"("mesh": "a.obj", "mesostructure": {"hieght_map": "h.png"})"),
+    "s.json: nodes[0].mesostructure.hieght_map: unknown key (did you mean height_map?)");
+  EXPECT_EQ(
+    OfNode(R"("scale": 2)"), "s.json: nodes[0].scale: unknown key here (it is one of transform)");
+  EXPECT_EQ(OfNode(R"("transform": {"xyz": 2})"),
+    "s.json: nodes[0].transform.xyz: unknown key (there are: matrix, translate, rotate, scale)");
+  EXPECT_EQ(OfNode(R"("mesh": {"shape": "plane", "radius": 2})"),
+    "s.json: nodes[0].mesh.radius: unknown key here (it is one of shape_sphere)");
+  EXPECT_EQ(OfScene(R"("line\nbreak": 1)").find('\n'), std::string::npos);
+}
+
+TEST(SceneRefusals, KnownButNotYetServed)
+{
+  EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
+  EXPECT_EQ(OfScene(R"("clipping_planes": [])"), "s.json: clipping_planes: is not available yet");
+  for (const char* key : { "relief_map", "volume", "tile_mesh", "baked", "reference", "search",
+         "quadric", "curved", "rank", "segments" })
+  {
+    EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
+      std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
+  }
+  for (const char* key : { "normal_map", "normal_map_y", "color_by", "lookup_table" })
+  {
+    EXPECT_EQ(OfNode(std::string(R"("mesh": "a.obj", "material": {")") + key + "\": 1}"),
+      std::string("s.json: nodes[0].material.") + key + ": is not available yet");
+  }
+}
+
+TEST(SceneRefusals, WordsThatAreNoChoice)
+{
+  const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
+  EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
+    "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
+    "plain, relief)");
+  EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
+    "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
+    "relief? choices: plain, relief)");
+  EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "certified"})"),
+    "quality \"certified\" is not available yet (choices: draft, low, medium, high)"));
+  EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "best"})"), "there is no quality \"best\""));
+  EXPECT_TRUE(Mentions(OfNode(head + R"("wrap": "tile"})"), "choices: repeat, clamp, mirror"));
+  EXPECT_TRUE(Mentions(OfNode(R"("mesh": {"shape": "teapot"})"), "is not available yet"));
+  EXPECT_TRUE(Mentions(OfNode(R"("mesh": {"shape": "taurus"})"), "did you mean torus?"));
+  EXPECT_TRUE(Mentions(OfRelief(R"(, "height_map": {"pattern": "bricks"})"), "mean brick?"));
+  EXPECT_TRUE(Mentions(OfScene(R"("lights": [{"type": "sun"}])"),
+    "lights[0].type: there is no light \"sun\" (choices: headlight, directional, point, spot)"));
+}
+
+TEST(SceneRefusals, EffectsThatTheTechniqueLacks)
+{
+  EXPECT_EQ(OfNode(R"("mesh": "a.obj", "mesostructure": {"effects": ["depth"]})"),
+    "s.json: nodes[0].mesostructure.effects[0]: technique plain does not provide depth (it "
+    "provides "
+    "no effects)");
+  EXPECT_TRUE(Mentions(OfRelief(R"(, "height_map": "h", "effects": ["shadow"])"),
+    "effects[0]: there is no effect \"shadow\""));
+  EXPECT_TRUE(Mentions(OfRelief(R"(, "height_map": "h", "effects": "most")"),
+    "there is no choice of effects \"most\" (choices: auto, all, none)"));
+}
+
+TEST(SceneRefusals, TypesAndRanges)
+{
+  const std::pair<const char*, const char*> cases[] = {
+    { R"("nodes": {})", "nodes: must be a list, is an object" },
+    { R"("nodes": [1])", "nodes[0]: must be an object, is a number" },
+    { R"("camera": {"position": [1, 2]})", "camera.position: must be a list of 3, has 2" },
+    { R"("camera": {"position": [1, "2", 3]})",
+      "camera.position[1]: must be a number, is a string" },
+    { R"("camera": {"view_angle": 180})", "camera.view_angle: must be in (0, 180), is 180" },
+    { R"("camera": {"view_angle": 1e300})", "camera.view_angle: must not be beyond 1e+18" },
+    { R"("camera": {"parallel_scale": 0})", "parallel_scale: must be more than 0, is 0" },
+    { R"("camera": {"clipping_range": [2, 1]})", "the near distance must be less" },
+    { R"("camera": {"position": [1, 1, 1], "focal_point": [1, 1, 1]})", "focal_point must differ" },
+    { R"("camera": {"view_up": [0, 0, -2]})", "camera: view_up must not lie along the view" },
+    { R"("camera": {"view_up": [0, 0, 0]})", "camera.view_up: must have a direction, is 0" },
+    { R"("background": [0, 0, 1.5])", "background[2]: must be in [0, 1], is 1.5" },
+    { R"("lights": [{"type": "spot", "cone_angle": 90}])",
+      "cone_angle: must be in (0, 90), is 90" },
+    { R"("lights": [{"type": "point", "direction": [0, 0, 1]}])", "is not a key of a point light" },
+    { R"("lights": [{"type": "spot", "position": [0, 0, 0]}])", "lights[0]: position and" },
+    { R"("lights": [{"type": "point", "attenuation": [0, 0, 0]}])", "must be more than 0" },
+    { R"("lights": [{"intensity": -1}])", "intensity: must be 0 or more, is -1" },
+    { R"("lights": [{"shadow": 1}])", "shadow: must be true or false, is a number" },
+    { R"("lights": [{"type": "spot", "coordinates": "eye"}])", "choices: world, camera" },
+  };
+  for (const auto& [text, part] : cases)
+  {
+    EXPECT_TRUE(Mentions(OfScene(text), part)) << text << " gives " << OfScene(text);
+  }
+}
+
+TEST(SceneRefusals, NodesAndSurfaces)
+{
+  const std::pair<const char*, const char*> cases[] = {
+    { R"("transform": {"matrix": [1]})", "transform.matrix: must be a list of 16, has 1" },
+    { R"("transform": {"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 5,5,5,1]})", "the last row must be" },
+    { R"("transform": {"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], "scale": 2})",
+      "transform.scale: there is a matrix already" },
+    { R"("transform": {"rotate": [90, 0, 0, 0]})", "transform.rotate: the axis" },
+    { R"("transform": {"scale": "2"})", "transform.scale: must be a list of 3, is a string" },
+    { R"("material": {})", "nodes[0].material: there is no mesh beside it" },
+    { R"("mesh": "")", "nodes[0].mesh: must not be empty" },
+    { R"("mesh": 5)", "nodes[0].mesh: must be a file name, or an object with the key shape" },
+    { R"("mesh": "a\u0000b")", "nodes[0].mesh: must not hold control characters" },
+    { R"("mesh": {"shape": "torus", "rings": 2.5})", "mesh.rings: must be" },
+    { R"("mesh": {"shape": "torus", "tube": 3})", "nodes[0].mesh: shape 'torus': 'tube' must be" },
+    { R"("mesh": {"shape": "plane", "size": 2})", "mesh.size: must be a list of 2, is a number" },
+    { R"("mesh": "a", "feature_angle": 181)", "feature_angle: must be in [0, 180], is 181" },
+    { R"("mesh": "a", "material": {"opacity": 2})", "opacity: must be in [0, 1], is 2" },
+    { R"("mesh": "a", "material": {"specular_power": 200})", "must be in [0, 128], is 200" },
+    { R"("mesh": "a", "mesostructure": {"range": [0, 1]})", "there is no height_map or depth_map" },
+    { R"("mesh": "a", "mesostructure": {"technique": "relief", "height_map": "h"})",
+      "needs scale" },
+  };
+  for (const auto& [text, part] : cases)
+  {
+    EXPECT_TRUE(Mentions(OfNode(text), part)) << text << " gives " << OfNode(text);
+  }
+}
+
+TEST(SceneRefusals, Maps)
+{
+  const std::pair<const char*, const char*> cases[] = {
+    { "", "technique relief needs a height_map or a depth_map" },
+    { R"(, "height_map": "h", "depth_map": "d")", "only one map is taken" },
+    { R"(, "height_map": "h", "range": [1, 1])", "range: the first number must be less" },
+    { R"(, "height_map": "h", "sample_spacing": [1, 0])",
+      "sample_spacing[1]: must be more than 0" },
+    { R"(, "height_map": "h", "tiles": [0, 1])", "tiles[0]: must be more than 0, is 0" },
+    { R"(, "height_map": "h", "tiles": 3)", "tiles: must be a list of 2, is a number" },
+    { R"(, "height_map": {"size": [8, 8]})",
+      "must be a file name, or an object with the key pattern" },
+    { R"(, "height_map": {"pattern": "step", "size": [16385, 1]})", "must be in [1, 16384]" },
+    { R"(, "height_map": {"pattern": "step", "size": [0, 1]})", "must be in [1, 16384], is 0" },
+    { R"(, "height_map": {"pattern": "step", "size": [1.5, 1]})",
+      "must be a whole number, is 1.5" },
+    { R"(, "height_map": {"pattern": "step", "seed": -1})", "seed: must be in [0, 4294967295]" },
+  };
+  for (const auto& [text, part] : cases)
+  {
+    EXPECT_TRUE(Mentions(OfRelief(text), part)) << text << " gives " << OfRelief(text);
+  }
+  EXPECT_TRUE(Mentions(
+    OfNode(R"("mesh": "a", "mesostructure": {"scale": -1})"), "scale: must be 0 or more, is -1"));
+}
