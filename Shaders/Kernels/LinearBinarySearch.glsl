@@ -125,7 +125,7 @@ HeightHit searchLinearBinary(
 // 1.0 where the relief blocks a ray that rises from depthStart to depth 0, else 0.0. At ray depth s
 // the ray is over map coordinate mapStart + (depthStart - s) * mapPerHeight. The samples are the
 // middles of `steps` equal parts, so that none is spent at depth 0, where nothing lies above. The
-// caller moves the start off the surface first (ReliefOffset.glsl). A number that is not finite
+// caller moves the start off the surface first. A number that is not finite
 // blocks nothing. fetches: filtered samples.
 float occludedLinear(
   vec2 mapStart, vec2 mapPerHeight, float depthStart, int steps, out int fetches)
