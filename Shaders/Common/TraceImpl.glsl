@@ -8,7 +8,3 @@
 #ifdef MESO_LIT
   vertexVC = vec4(mesoHitVC, 1.0);
 #endif
-#ifdef MESO_TEXTURED
-  mesoTextureDx = dFdx(mesoTCoordVSOutput);
-  mesoTextureDy = dFdy(mesoTCoordVSOutput);
-#endif

@@ -304,7 +304,9 @@ vtkMesoPolyDataMapper::Build vtkMesoPolyDataMapper::DescribeBuild(
   define("MESO_LIGHTING", build.OwnLighting);
   define("MESO_HEADLIGHT", build.LightComplexity == 1);
   define("MESO_SPECULAR", actor->GetProperty()->GetSpecular() != 0.0);
-  define("MESO_TEXTURED", build.Textured);
+  vtkInformation* keys = actor->GetPropertyKeys();
+  define("MESO_TEXTURE_TRANSFORM",
+    build.Textured && keys && keys->Has(vtkProp::GeneralTextureTransform()));
   defines.emplace_back("MESO_LIGHT_COUNT", std::to_string(build.LightCount));
   if (build.Surface)
   {
@@ -370,6 +372,8 @@ void vtkMesoPolyDataMapper::SpliceFragmentShader(
   if (build.Textured)
   {
     declare("Common/TextureDec.glsl");
+    fragment.Before("//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl",
+      MesoShaderText("Common/TextureImpl.glsl"));
   }
   if (build.WritesDepth)
   {
