@@ -12,10 +12,10 @@
 #include <algorithm> // for std::clamp
 #include <cmath>     // for shading
 
-/// 150x150 RGB, drawn by arithmetic: flat areas, smooth shades, edges and a silhouette.
+/// 300x300 RGB, drawn by arithmetic: flat areas, smooth shades, edges and a silhouette.
 inline vtkSmartPointer<vtkImageData> MesoTestPicture()
 {
-  constexpr int size = 150;
+  constexpr int size = 300;
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(size, size, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -24,10 +24,10 @@ inline vtkSmartPointer<vtkImageData> MesoTestPicture()
   {
     for (int x = 0; x < size; ++x)
     {
-      const double u = (x - 75) / 50.;
-      const double v = (y - 75) / 50.;
+      const double u = (x - 150) / 100.;
+      const double v = (y - 150) / 100.;
       const double w = 1. - u * u - v * v;
-      const bool dark = (x / 15 + y / 15) % 2 == 0;
+      const bool dark = (x / 30 + y / 30) % 2 == 0;
       const double shade = w > 0. ? 40. + 180. * std::sqrt(w) : (dark ? 60. : 150.);
       for (double tint : { 1., 0.8, 0.6 })
       {

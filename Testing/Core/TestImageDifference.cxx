@@ -23,7 +23,7 @@ vtkSmartPointer<vtkImageData> WithSquare(vtkImageData* picture, int width)
   return MesoChangedPicture(picture,
     [width](vtkImageData* image, int x, int y, int c)
     {
-      const bool inside = x >= 60 && x < 60 + width && y >= 60 && y < 60 + width;
+      const bool inside = x >= 150 && x < 150 + width && y >= 150 && y < 150 + width;
       return inside ? (c == 0 ? 255. : 0.) : At(image, x, y, c);
     });
 }
@@ -86,12 +86,14 @@ TEST_F(ImageDifference, FailsWithOneRedSquare)
   const auto result = MesoCompareImages(WithSquare(this->Picture, 5), this->Picture);
   EXPECT_FALSE(result.Within) << result.Describe();
   EXPECT_EQ(result.LargePixels, 25);
+  EXPECT_TRUE(MesoCompareImages(WithSquare(this->Picture, 3), this->Picture).Within)
+    << "9 of 90000 may differ much";
 }
 
 TEST_F(ImageDifference, FailsWithAnySingleValueChangedUnderExactLimits)
 {
   const auto result = this->After([](vtkImageData* i, int x, int y, int c)
-    { return At(i, x, y, c) + (x == 149 && y == 149 && c == 2 ? 1. : 0.); },
+    { return At(i, x, y, c) + (x == 299 && y == 299 && c == 2 ? 1. : 0.); },
     MesoImageLimits::Exact());
   EXPECT_FALSE(result.Within);
   EXPECT_EQ(result.SmallPixels, 1);
@@ -101,12 +103,12 @@ TEST_F(ImageDifference, FailsWithAnySingleValueChangedUnderExactLimits)
 
 TEST_F(ImageDifference, PassesWhatDriversDo)
 {
-  // 2 of 255 everywhere, and one pixel of a silhouette (2 of 22500 may differ much).
+  // 2 of 255 everywhere, and one pixel of a silhouette (9 of 90000 may differ much).
   const auto result = this->After(
     [](vtkImageData* i, int x, int y, int c)
     {
       const double rounding = (x + y) % 5 - 2;
-      return x == 75 && y == 24 ? 255. - At(i, x, y, c) : At(i, x, y, c) + rounding;
+      return x == 150 && y == 49 ? 255. - At(i, x, y, c) : At(i, x, y, c) + rounding;
     });
   EXPECT_TRUE(result.Within) << result.Describe();
   EXPECT_EQ(result.SmallPixels, 1);
@@ -115,22 +117,22 @@ TEST_F(ImageDifference, PassesWhatDriversDo)
 
 TEST_F(ImageDifference, CountsAgainstTheLimits)
 {
-  MesoImageLimits limits = { 2, 16.5 / 22500., 32, 16.5 / 22500. };
+  MesoImageLimits limits = { 2, 16.5 / 90000., 32, 16.5 / 90000. };
   EXPECT_TRUE(MesoCompareImages(WithSquare(this->Picture, 4), this->Picture, limits).Within);
-  limits.LargeFraction = 15.5 / 22500.;
+  limits.LargeFraction = 15.5 / 90000.;
   EXPECT_FALSE(MesoCompareImages(WithSquare(this->Picture, 4), this->Picture, limits).Within);
 }
 
 TEST_F(ImageDifference, RefusesOtherShapes)
 {
   const auto other = vtkSmartPointer<vtkImageData>::New();
-  other->SetDimensions(150, 149, 1);
+  other->SetDimensions(300, 299, 1);
   other->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   const auto size = MesoCompareImages(other, this->Picture);
   EXPECT_FALSE(size.Within);
-  EXPECT_NE(size.Problem.find("150x149"), std::string::npos) << size.Problem;
+  EXPECT_NE(size.Problem.find("300x299"), std::string::npos) << size.Problem;
 
-  other->SetDimensions(150, 150, 1);
+  other->SetDimensions(300, 300, 1);
   other->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   EXPECT_FALSE(MesoCompareImages(other, this->Picture).Within);
   other->AllocateScalars(VTK_FLOAT, 3);

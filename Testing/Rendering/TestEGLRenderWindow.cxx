@@ -143,6 +143,18 @@ TEST_F(EGLRenderWindow, OutlivesAnother)
   EXPECT_EQ(CentrePixel(this->Window), BallColor);
 }
 
+TEST_F(EGLRenderWindow, LeavesItsRenderersAlive)
+{
+  auto window = vtkSmartPointer<vtkMesoEGLRenderWindow>::New();
+  this->Scene.ShowIn(window, 40, 40);
+  window->Render();
+  window = nullptr;
+  EXPECT_EQ(this->Scene.Renderer->GetRenderWindow(), nullptr);
+  this->Scene.ShowIn(this->Window, 40, 40);
+  this->Window->Render();
+  EXPECT_EQ(CentrePixel(this->Window), BallColor);
+}
+
 TEST_F(EGLRenderWindow, MovesASceneToAnother)
 {
   this->Scene.ShowIn(this->Window, 40, 40);
@@ -238,6 +250,8 @@ TEST(EGLRenderWindowMemory, StaysFlatOver60Windows)
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer holds back freed memory";
 #endif
+  vtkNew<vtkMesoEGLRenderWindow> keeper; // the display lives on, and would keep what is forgotten
+  keeper->Initialize();
   double early = 0.;
   for (int i = 0; i < 60; ++i)
   {

@@ -28,17 +28,6 @@ bool DebugContextWanted()
   return true;
 #endif
 }
-
-void TellRenderers(vtkRendererCollection* renderers, vtkRenderWindow* window)
-{
-  vtkCollectionSimpleIterator iterator;
-  renderers->InitTraversal(iterator);
-  while (vtkRenderer* renderer = renderers->GetNextRenderer(iterator))
-  {
-    renderer->SetRenderWindow(nullptr); // lets go of what belongs to an earlier context
-    renderer->SetRenderWindow(window);
-  }
-}
 }
 
 struct vtkMesoEGLRenderWindow::vtkInternals
@@ -64,7 +53,12 @@ vtkMesoEGLRenderWindow::vtkMesoEGLRenderWindow()
 vtkMesoEGLRenderWindow::~vtkMesoEGLRenderWindow()
 {
   this->Finalize();
-  TellRenderers(this->Renderers, nullptr);
+  vtkCollectionSimpleIterator iterator;
+  this->Renderers->InitTraversal(iterator);
+  while (vtkRenderer* renderer = this->Renderers->GetNextRenderer(iterator))
+  {
+    renderer->SetRenderWindow(nullptr); // it may live on, and would point here
+  }
 }
 
 void vtkMesoEGLRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
@@ -168,17 +162,12 @@ void vtkMesoEGLRenderWindow::CreateAWindow()
 
 void vtkMesoEGLRenderWindow::Initialize()
 {
-  const bool isNew = !this->Internals->Context.Exists();
   this->CreateAWindow();
   if (!this->Internals->Context.Exists() || this->Initialized)
   {
     return;
   }
   this->MakeCurrent();
-  if (isNew)
-  {
-    TellRenderers(this->Renderers, this);
-  }
   this->OpenGLInit(); // also where ReleaseGraphicsResources was called on a living context
 }
 
