@@ -1,0 +1,222 @@
+#include "RenderResults.h"
+
+#include "MesoAtomicFile.h"
+#include "MesoExr.h"
+#include "MesoFrameCost.h"
+#include "MesoSceneBuilder.h"
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkMesoAOVPass.h"
+#include "vtkMesoEGLRenderWindow.h"
+#include "vtkMesoPolyDataMapper.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace
+{
+/// The radical inverse of an index: points that cover [0,1) evenly, whatever their number.
+double RadicalInverse(int index, int base)
+{
+  double value = 0.;
+  double digit = 1. / base;
+  for (; index > 0; index /= base, digit /= base)
+  {
+    value += digit * (index % base);
+  }
+  return value;
+}
+
+/// The picture that the window holds, RGB, row 0 at the bottom.
+void ReadPixels(vtkMesoEGLRenderWindow* window, vtkUnsignedCharArray* pixels)
+{
+  const int* size = window->GetSize();
+  if (window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels) == 0)
+  {
+    throw MesoInputError("the picture could not be read back from the device");
+  }
+}
+
+nlohmann::json ToJson(const MesoMilliseconds& milliseconds)
+{
+  return { { "median", milliseconds.Median }, { "min", milliseconds.Minimum },
+    { "max", milliseconds.Maximum } };
+}
+
+/// The value itself where all objects agree, else a list of the different ones.
+nlohmann::json OneOrList(const std::set<std::string>& values)
+{
+  return values.size() == 1 ? nlohmann::json(*values.begin()) : nlohmann::json(values);
+}
+}
+
+void WritePicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
+  const std::string& fileName, const std::function<void(double)>& progress)
+{
+  const int* size = window->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  std::vector<double> sum;
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    // One sample lies at the pixel's centre; several spread over the pixel.
+    const double x = samples == 1 ? 0. : RadicalInverse(sample + 1, 2) - 0.5;
+    const double y = samples == 1 ? 0. : RadicalInverse(sample + 1, 3) - 0.5;
+    renderer->GetActiveCamera()->SetWindowCenter(2. * x / size[0], 2. * y / size[1]);
+    window->Render();
+    ReadPixels(window, pixels);
+    sum.resize(pixels->GetNumberOfValues(), 0.);
+    for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
+    {
+      sum[i] += pixels->GetValue(i);
+    }
+    progress((sample + 1.) / samples);
+  }
+  renderer->GetActiveCamera()->SetWindowCenter(0., 0.);
+
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size[0], size[1], 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (std::size_t i = 0; i < sum.size(); ++i)
+  {
+    out[i] = static_cast<unsigned char>(std::lround(sum[i] / samples));
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  MesoAtomicFile::Write(
+    fileName, bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
+}
+
+void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
+  const MesoSceneBuilder& builder, vtkMesoAOVPass* pass)
+{
+  for (const auto& object : builder.GetObjects())
+  {
+    if (object.Actor->GetProperty()->GetOpacity() < 1.)
+    {
+      throw MesoInputError(
+        "AOVs of translucent objects are not available yet (node '" + object.Name + "')");
+    }
+    pass->SetObjectNumber(object.Actor, object.Number);
+  }
+  renderer->SetPass(pass);
+  window->Render();
+  renderer->SetPass(nullptr);
+  if (pass->GetInterleaved({ "coverage" }).empty())
+  {
+    throw MesoInputError("the AOVs could not be rendered");
+  }
+}
+
+std::vector<std::string> ChannelsOfGroups(
+  const std::vector<std::string>& groups, const vtkMesoAOVPass* pass)
+{
+  std::vector<std::string> channels;
+  for (const std::string& channel : pass->GetChannelNames())
+  {
+    const std::string group =
+      channel == "texel_reads" ? "fetches" : channel.substr(0, channel.find('.'));
+    const bool wanted = std::any_of(groups.begin(), groups.end(),
+      [&](const std::string& name) { return name == "all" || name == group; });
+    if (wanted)
+    {
+      channels.push_back(channel);
+    }
+  }
+  return channels;
+}
+
+void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
+  const MesoSceneBuilder& builder, const std::string& fileName)
+{
+  MesoExrAttributes attributes;
+  for (const auto& object : builder.GetObjects())
+  {
+    const std::string prefix = "meso." + std::to_string(object.Number) + ".";
+    attributes[prefix + "name"] = object.Name;
+    attributes[prefix + "scale"] = object.Options.Scale;
+    if (object.HeightMap)
+    {
+      const int* size = object.HeightMap->GetDimensions();
+      attributes[prefix + "map_width"] = static_cast<double>(size[0]);
+      attributes[prefix + "map_height"] = static_cast<double>(size[1]);
+    }
+  }
+  MesoWriteExr(fileName, pass->GetWidth(), pass->GetHeight(), channels,
+    pass->GetInterleaved(channels).data(), attributes);
+}
+
+void WriteStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
+  const MesoSceneBuilder& builder, const vtkMesoAOVPass* pass, double prepareSeconds,
+  const std::string& fileName)
+{
+  std::vector<vtkProp*> props;
+  std::set<std::string> techniques;
+  std::set<std::string> qualities;
+  std::set<std::string> effects;
+  std::size_t gpuBytes = 0;
+  vtkIdType triangles = 0;
+  renderer->SetPass(nullptr);
+  const MesoFrameCost cost = [&] {
+    for (const auto& object : builder.GetObjects())
+    {
+      props.push_back(object.Actor);
+    }
+    return MesoMeasureFrame(window, props);
+  }();
+  for (const auto& object : builder.GetObjects())
+  {
+    techniques.insert(MesoName(object.Options.Technique));
+    qualities.insert(MesoName(object.Options.Quality));
+    for (const std::string& name : object.Mapper->GetEffectsDrawn().Names())
+    {
+      effects.insert(name);
+    }
+    gpuBytes += object.Mapper->GetGPUBytes();
+    triangles += object.Mesh->GetNumberOfPolys();
+  }
+  double fetchSum = 0.;
+  double fetchMost = 0.;
+  double covered = 0.;
+  const std::vector<float> pixels = pass->GetInterleaved({ "coverage", "fetches" });
+  for (std::size_t i = 0; i < pixels.size(); i += 2)
+  {
+    covered += pixels[i];
+    fetchSum += pixels[i + 1];
+    fetchMost = std::max(fetchMost, static_cast<double>(pixels[i + 1]));
+  }
+
+  nlohmann::ordered_json stats;
+  stats["technique"] = OneOrList(techniques);
+  stats["quality"] = OneOrList(qualities);
+  stats["effects"] = effects;
+  stats["size"] = { pass->GetWidth(), pass->GetHeight() };
+  stats["gpu_ms"] = ToJson(cost.Gpu);
+  stats["frame_ms"] = ToJson(cost.Frame);
+  stats["clock"] = cost.Clock;
+  stats["runs"] = cost.Runs;
+  stats["covered_pixels"] = static_cast<long long>(covered);
+  stats["fetches_mean"] = covered > 0. ? fetchSum / covered : 0.;
+  stats["fetches_max"] = fetchMost;
+  stats["gpu_bytes"] = gpuBytes;
+  stats["prepare_s"] = prepareSeconds;
+  stats["triangles"] = triangles;
+  stats["device"] = window->GetGLRenderer();
+  stats["version"] = MESO_VERSION;
+  const std::string text = stats.dump(2) + "\n";
+  MesoAtomicFile::Write(fileName, text.data(), text.size());
+}

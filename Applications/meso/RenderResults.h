@@ -1,0 +1,42 @@
+#ifndef RenderResults_h
+#define RenderResults_h
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class MesoSceneBuilder;
+class vtkImageData;
+class vtkMesoEGLRenderWindow;
+class vtkMesoAOVPass;
+class vtkRenderer;
+
+/**
+ * @file RenderResults.h
+ * @brief What a rendered scene leaves behind: the picture, its AOVs and its figures of cost.
+ *
+ * Files are written beside their place and then renamed. Failures throw MesoInputError.
+ */
+
+/// Render `samples` times, each with the pixels' centres moved a little, and write the mean.
+/// `progress` is called with the part that is done.
+void WritePicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
+  const std::string& fileName, const std::function<void(double)>& progress);
+
+/// Render once with one sample a pixel and keep every pixel's numbers in `pass`.
+void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
+  const MesoSceneBuilder& builder, vtkMesoAOVPass* pass);
+
+/// The channels that AOV groups ("depth", "texcoord", "all", ...) stand for.
+std::vector<std::string> ChannelsOfGroups(
+  const std::vector<std::string>& groups, const vtkMesoAOVPass* pass);
+
+void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
+  const MesoSceneBuilder& builder, const std::string& fileName);
+
+/// Measure and write the figures of cost as one JSON object.
+void WriteStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
+  const MesoSceneBuilder& builder, const vtkMesoAOVPass* pass, double prepareSeconds,
+  const std::string& fileName);
+
+#endif

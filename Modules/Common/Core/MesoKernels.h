@@ -1,0 +1,143 @@
+#ifndef MesoKernels_h
+#define MesoKernels_h
+
+/**
+ * @file MesoKernels.h
+ * @brief The shaders' kernels (Shaders/Kernels) on the CPU, in float and in double.
+ *
+ * The same text as the shaders': each function's meaning, spaces, units and source stand there.
+ *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
+ *     solveFrame
+ *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
+ *     a height map (constructed as MesoHeightTexture) with wrapTexel, bilinearHeight,
+ *     heightGradient, patchGradient, searchLinearBinary, occludedLinear, and struct HeightHit
+ *
+ *   MesoKernels::Double::HeightField field(2, 1, MesoWrap::Repeat, { 0.f, 1.f });
+ *   double height = field.bilinearHeight({ 0.5, 0.5 });
+ *
+ * All functions are const and keep no state. Code that includes this is to be compiled with
+ * -ffp-contract=off, which linking to Meso::CommonCore sets, lest results differ with the machine.
+ */
+
+#include "MesoHeightTexture.h"
+
+namespace MesoKernels
+{
+// The names that GLSL has built in.
+using glm::bvec2;
+using glm::bvec3;
+using glm::bvec4;
+using glm::dmat2;
+using glm::dmat3;
+using glm::dmat4;
+using glm::dvec2;
+using glm::dvec3;
+using glm::dvec4;
+using glm::ivec2;
+using glm::ivec3;
+using glm::ivec4;
+using glm::mat2;
+using glm::mat3;
+using glm::mat4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+using glm::abs;
+using glm::acos;
+using glm::all;
+using glm::any;
+using glm::asin;
+using glm::atan;
+using glm::ceil;
+using glm::clamp;
+using glm::cos;
+using glm::cross;
+using glm::degrees;
+using glm::determinant;
+using glm::distance;
+using glm::dot;
+using glm::equal;
+using glm::exp;
+using glm::exp2;
+using glm::floor;
+using glm::fract;
+using glm::greaterThan;
+using glm::greaterThanEqual;
+using glm::inverse;
+using glm::inversesqrt;
+using glm::isinf;
+using glm::isnan;
+using glm::length;
+using glm::lessThan;
+using glm::lessThanEqual;
+using glm::log;
+using glm::log2;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::mod;
+using glm::normalize;
+using glm::notEqual;
+using glm::outerProduct;
+using glm::pow;
+using glm::radians;
+using glm::reflect;
+using glm::round;
+using glm::sign;
+using glm::sin;
+using glm::smoothstep;
+using glm::sqrt;
+using glm::step;
+using glm::tan;
+using glm::transpose;
+using glm::trunc;
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic error "-Wdouble-promotion" // the float copy is float throughout
+#endif
+namespace Float
+{
+class Frame
+{
+public:
+#include "MesoFrameFloat.h"
+};
+
+class HeightField : public MesoHeightTexture<float>
+{
+public:
+  using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightFieldFloat.h"
+#include "MesoLinearBinarySearchFloat.h"
+};
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace Double
+{
+class Frame
+{
+public:
+#include "MesoFrameDouble.h"
+};
+
+class HeightField : public MesoHeightTexture<double>
+{
+public:
+  using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightFieldDouble.h"
+#include "MesoLinearBinarySearchDouble.h"
+};
+}
+
+static_assert(Float::HeightField::WrapRepeat == static_cast<int>(MesoWrap::Repeat) &&
+    Float::HeightField::WrapClamp == static_cast<int>(MesoWrap::Clamp) &&
+    Float::HeightField::WrapMirror == static_cast<int>(MesoWrap::Mirror),
+  "MesoWrap counts as the kernels do");
+}
+
+#endif

@@ -1,0 +1,109 @@
+#include "vtk_glew.h" // must come first
+
+#include "MesoFrameCost.h"
+
+#include "MesoEGLContext.h" // for MesoIsSoftwareRenderer
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace
+{
+/// Wall clock and, on hardware, GPU time of one frame.
+struct FrameTime
+{
+  double Wall;
+  double Gpu;
+};
+
+FrameTime TimeFrame(vtkOpenGLRenderWindow* window, GLuint query)
+{
+  window->MakeCurrent();
+  glFinish();
+  const auto start = std::chrono::steady_clock::now();
+  if (query)
+  {
+    glBeginQuery(GL_TIME_ELAPSED, query);
+  }
+  window->Render();
+  if (query)
+  {
+    glEndQuery(GL_TIME_ELAPSED);
+  }
+  glFinish();
+  const auto end = std::chrono::steady_clock::now();
+  FrameTime time;
+  time.Wall = std::chrono::duration<double, std::milli>(end - start).count();
+  time.Gpu = time.Wall;
+  if (query)
+  {
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
+    time.Gpu = static_cast<double>(nanoseconds) * 1.e-6;
+  }
+  return time;
+}
+}
+
+MesoMilliseconds MesoSummarise(std::vector<double> milliseconds)
+{
+  MesoMilliseconds summary;
+  if (milliseconds.empty())
+  {
+    return summary;
+  }
+  std::sort(milliseconds.begin(), milliseconds.end());
+  const std::size_t middle = milliseconds.size() / 2;
+  summary.Median = milliseconds.size() % 2 == 1
+    ? milliseconds[middle]
+    : 0.5 * (milliseconds[middle - 1] + milliseconds[middle]);
+  summary.Minimum = milliseconds.front();
+  summary.Maximum = milliseconds.back();
+  return summary;
+}
+
+MesoFrameCost MesoMeasureFrame(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkProp*>& props, int warmUp, int runs)
+{
+  window->MakeCurrent();
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const bool software = MesoIsSoftwareRenderer(name ? name : "");
+  GLuint query = 0;
+  if (!software)
+  {
+    glGenQueries(1, &query);
+  }
+  const auto show = [&](bool visible) {
+    for (vtkProp* prop : props)
+    {
+      prop->SetVisibility(visible);
+    }
+  };
+  std::vector<double> gpu;
+  std::vector<double> frame;
+  for (int round = -warmUp; round < runs; ++round)
+  {
+    show(false);
+    const FrameTime without = TimeFrame(window, query);
+    show(true);
+    const FrameTime with = TimeFrame(window, query);
+    if (round >= 0)
+    {
+      gpu.push_back(with.Gpu - without.Gpu);
+      frame.push_back(with.Wall);
+    }
+  }
+  if (query)
+  {
+    glDeleteQueries(1, &query);
+  }
+  MesoFrameCost cost;
+  cost.Gpu = MesoSummarise(gpu);
+  cost.Frame = MesoSummarise(frame);
+  cost.Clock = software ? "wall clock, frame with minus frame without, each closed by glFinish"
+                        : "GL_TIME_ELAPSED, frame with minus frame without";
+  cost.Runs = runs;
+  return cost;
+}

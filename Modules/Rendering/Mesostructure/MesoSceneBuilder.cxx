@@ -1,0 +1,352 @@
+#include "MesoSceneBuilder.h"
+
+#include "MesoHeightMap.h"
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMesoImageReader.h"
+#include "vtkMesoMeshReader.h"
+#include "vtkMesoPatternSource.h"
+#include "vtkMesoReliefMapper.h"
+#include "vtkMesoShapeSource.h"
+#include "vtkMesoSurfaceFrames.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+#include <cmath>
+
+namespace
+{
+/// Collects what an algorithm says by its error and warning events.
+class Listener
+{
+public:
+  explicit Listener(vtkObject* object)
+    : Object(object)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long event, void* self, void* text) {
+      auto* listener = static_cast<Listener*>(self);
+      (event == vtkCommand::ErrorEvent ? listener->Errors : listener->Warnings)
+        .push_back(Listener::Message(static_cast<const char*>(text)));
+    });
+    object->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    object->AddObserver(vtkCommand::WarningEvent, this->Command);
+  }
+  ~Listener() { this->Object->RemoveObserver(this->Command); }
+  Listener(const Listener&) = delete;
+  void operator=(const Listener&) = delete;
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+
+private:
+  /// VTK's text without the place in the source before it and the blank lines after it.
+  static std::string Message(const char* text)
+  {
+    std::string message = text ? text : "unknown error";
+    const std::size_t name = message.find("): ");
+    if (name != std::string::npos)
+    {
+      message = message.substr(name + 3);
+    }
+    message.erase(message.find_last_not_of(" \n\r\t") + 1);
+    return message;
+  }
+
+  vtkObject* Object;
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+/// Update an algorithm; its errors become exceptions, its warnings are kept.
+void Run(vtkAlgorithm* algorithm, const std::string& place, std::vector<std::string>& warnings)
+{
+  Listener listener(algorithm);
+  algorithm->Update();
+  if (!listener.Errors.empty())
+  {
+    throw MesoInputError(place + ": " + listener.Errors.front());
+  }
+  for (const std::string& warning : listener.Warnings)
+  {
+    warnings.push_back(place + ": " + warning);
+  }
+}
+
+void SetMaterial(const MesoSceneMaterial& material, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetInterpolationToPhong();
+  property->SetColor(material.Color[0], material.Color[1], material.Color[2]);
+  property->SetAmbient(material.Ambient);
+  property->SetDiffuse(material.Diffuse);
+  property->SetSpecular(material.Specular);
+  property->SetSpecularPower(material.SpecularPower);
+  property->SetOpacity(material.Opacity);
+  property->SetBackfaceCulling(!material.TwoSided);
+  property->SetEdgeVisibility(material.Edges);
+}
+
+void SetColorMap(const std::string& fileName, const MesoMesostructureOptions& options,
+  const std::string& place, vtkActor* actor, std::vector<std::string>& warnings)
+{
+  vtkNew<vtkMesoImageReader> reader;
+  reader->SetFileName(fileName.c_str());
+  Run(reader, place, warnings);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(reader->GetOutput());
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->SetWrap(options.Wrap == MesoWrap::Clamp ? vtkTexture::ClampToEdge
+      : options.Wrap == MesoWrap::Mirror           ? vtkTexture::MirroredRepeat
+                                                   : vtkTexture::Repeat);
+  actor->SetTexture(texture);
+  if (options.Tiles != std::array<double, 2>{ 1., 1. })
+  {
+    vtkNew<vtkMatrix4x4> tiles;
+    tiles->SetElement(0, 0, options.Tiles[0]);
+    tiles->SetElement(1, 1, options.Tiles[1]);
+    vtkNew<vtkInformation> keys;
+    keys->Set(vtkProp::GeneralTextureTransform(), &(tiles->Element[0][0]), 16);
+    actor->SetPropertyKeys(keys);
+  }
+}
+
+std::array<double, 16> Multiply(
+  const std::array<double, 16>& left, const std::array<double, 16>& right)
+{
+  std::array<double, 16> product;
+  vtkMatrix4x4::Multiply4x4(left.data(), right.data(), product.data());
+  return product;
+}
+}
+
+void MesoSceneBuilder::SetCamera(const MesoSceneCamera& camera, vtkRenderer* renderer)
+{
+  vtkCamera* target = renderer->GetActiveCamera();
+  target->SetPosition(camera.Position.data());
+  target->SetFocalPoint(camera.FocalPoint.data());
+  target->SetViewUp(camera.ViewUp.data());
+  target->SetViewAngle(camera.ViewAngle);
+  target->SetParallelProjection(camera.ParallelScale.has_value());
+  if (camera.ParallelScale)
+  {
+    target->SetParallelScale(*camera.ParallelScale);
+  }
+  if (camera.ClippingRange)
+  {
+    target->SetClippingRange(camera.ClippingRange->data());
+  }
+  else
+  {
+    renderer->ResetCameraClippingRange();
+  }
+}
+
+void MesoSceneBuilder::AddLight(
+  const MesoSceneLight& light, const MesoSceneCamera& camera, vtkRenderer* renderer)
+{
+  using Kind = MesoSceneLight::Kind;
+  vtkNew<vtkLight> target;
+  target->SetColor(light.Color.data());
+  target->SetIntensity(light.Intensity);
+  if (light.Type == Kind::Headlight)
+  {
+    target->SetLightTypeToHeadlight();
+    renderer->AddLight(target);
+    return;
+  }
+  MesoVector3 position = light.Position;
+  MesoVector3 focalPoint = light.FocalPoint;
+  if (light.Type == Kind::Directional)
+  {
+    position = { -light.Direction[0], -light.Direction[1], -light.Direction[2] };
+    focalPoint = { 0., 0., 0. };
+  }
+  target->SetLightTypeToSceneLight();
+  if (light.InCameraCoordinates)
+  {
+    // VTK's camera lights live in a space with the camera at (0,0,1) and the focal point at 0.
+    target->SetLightTypeToCameraLight();
+    if (light.Type != Kind::Directional)
+    {
+      double distance = 0.;
+      for (int i = 0; i < 3; ++i)
+      {
+        distance += std::pow(camera.FocalPoint[i] - camera.Position[i], 2);
+      }
+      distance = std::sqrt(distance);
+      for (MesoVector3* point : { &position, &focalPoint })
+      {
+        *point = { (*point)[0] / distance, (*point)[1] / distance, (*point)[2] / distance + 1. };
+      }
+    }
+  }
+  target->SetPosition(position.data());
+  target->SetFocalPoint(focalPoint.data());
+  if (light.Type != Kind::Directional)
+  {
+    target->PositionalOn();
+    target->SetConeAngle(light.Type == Kind::Spot ? light.ConeAngle : 90.);
+    target->SetExponent(light.Exponent);
+    target->SetAttenuationValues(light.Attenuation.data());
+  }
+  renderer->AddLight(target);
+}
+
+vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeHeightMap(
+  const MesoSceneMap& map, const std::string& place)
+{
+  vtkSmartPointer<vtkImageData> stored;
+  if (map.File.empty())
+  {
+    vtkNew<vtkMesoPatternSource> source;
+    source->SetPattern(map.Pattern.c_str());
+    source->SetSize(map.Size[0], map.Size[1]);
+    source->SetSeed(map.Seed);
+    for (const auto& parameter : map.Parameters)
+    {
+      source->SetParameter(parameter.first, parameter.second);
+    }
+    Run(source, place, this->Warnings);
+    stored = source->GetOutput();
+  }
+  else
+  {
+    vtkNew<vtkMesoImageReader> reader;
+    reader->SetFileName(map.File.c_str());
+    Run(reader, place, this->Warnings);
+    stored = reader->GetOutput();
+  }
+  const MesoHeights heights = MesoToHeights(stored, map.IsDepth, map.Range);
+  for (const std::string& warning : heights.Warnings)
+  {
+    this->Warnings.push_back(place + ": " + warning);
+  }
+  return heights.Image;
+}
+
+vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(const MesoSceneNode& node,
+  const std::string& place, vtkImageData* heights, bool needsFrames)
+{
+  const MesoSceneMesh& mesh = *node.Mesh;
+  if (mesh.File.empty())
+  {
+    vtkNew<vtkMesoShapeSource> source;
+    source->SetShape(mesh.Shape.c_str());
+    for (const auto& parameter : mesh.Parameters)
+    {
+      source->SetParameter(parameter.first, parameter.second);
+    }
+    if (mesh.Shape == "plane" && !mesh.Parameters.count("size") && heights &&
+      node.Map->SampleSpacing)
+    {
+      const auto& spacing = *node.Map->SampleSpacing;
+      int samples[3];
+      heights->GetDimensions(samples);
+      source->SetParameter("size",
+        { spacing[0] * samples[0] * node.Mesostructure.Tiles[0],
+          spacing[1] * samples[1] * node.Mesostructure.Tiles[1] });
+    }
+    Run(source, place, this->Warnings);
+    return source->GetOutput();
+  }
+  vtkNew<vtkMesoMeshReader> reader;
+  reader->SetFileName(mesh.File.c_str());
+  Run(reader, place, this->Warnings);
+  if (!reader->GetOutput()->GetPointData()->GetTCoords() && !needsFrames)
+  {
+    return reader->GetOutput();
+  }
+  vtkNew<vtkMesoSurfaceFrames> frames;
+  frames->SetInputConnection(reader->GetOutputPort());
+  if (mesh.FeatureAngle)
+  {
+    frames->SplitNormalsOn();
+    frames->SetFeatureAngle(*mesh.FeatureAngle);
+  }
+  Run(frames, place, this->Warnings);
+  return frames->GetOutput();
+}
+
+void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node,
+  const std::string& place, const std::array<double, 16>& parentMatrix, vtkRenderer* renderer)
+{
+  const std::array<double, 16> matrix = Multiply(parentMatrix, node.Matrix);
+  ++this->NodeCount;
+  if (node.Mesh)
+  {
+    Object object;
+    object.Number = this->NodeCount;
+    object.Name = node.Name;
+    object.Options = node.Mesostructure;
+    const std::string inScene = scene.File + ": " + place;
+    if (node.Map)
+    {
+      object.HeightMap = this->MakeHeightMap(*node.Map, inScene + ".mesostructure");
+    }
+    object.Mesh = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
+      node.Mesostructure.Technique != MesoTechnique::Plain);
+    if (node.Mesostructure.Technique == MesoTechnique::Relief)
+    {
+      vtkNew<vtkMesoReliefMapper> relief;
+      relief->SetHeightMap(object.HeightMap);
+      object.Mapper = relief;
+    }
+    else
+    {
+      object.Mapper = vtkSmartPointer<vtkMesoPolyDataMapper>::New();
+    }
+    object.Mapper->SetOptions(node.Mesostructure);
+    object.Mapper->SetInputData(object.Mesh);
+    object.Mapper->ScalarVisibilityOff();
+
+    object.Actor = vtkSmartPointer<vtkActor>::New();
+    object.Actor->SetMapper(object.Mapper);
+    SetMaterial(node.Material, object.Actor);
+    if (!node.Material.ColorMap.empty())
+    {
+      SetColorMap(node.Material.ColorMap, node.Mesostructure, inScene + ".material.color_map",
+        object.Actor, this->Warnings);
+    }
+    vtkNew<vtkMatrix4x4> userMatrix;
+    userMatrix->DeepCopy(matrix.data());
+    object.Actor->SetUserMatrix(userMatrix);
+    renderer->AddActor(object.Actor);
+    this->Objects.push_back(object);
+  }
+  for (std::size_t i = 0; i < node.Children.size(); ++i)
+  {
+    this->AddNode(scene, node.Children[i], place + ".children[" + std::to_string(i) + "]", matrix,
+      renderer);
+  }
+}
+
+void MesoSceneBuilder::Build(const MesoScene& scene, vtkRenderer* renderer)
+{
+  this->Objects.clear();
+  this->Warnings.clear();
+  this->NodeCount = 0;
+  renderer->SetBackground(scene.Background[0], scene.Background[1], scene.Background[2]);
+  renderer->AutomaticLightCreationOff();
+  renderer->RemoveAllLights();
+  for (const MesoSceneLight& light : scene.Lights)
+  {
+    this->AddLight(light, scene.Camera, renderer);
+  }
+  const std::array<double, 16> identity = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  for (std::size_t i = 0; i < scene.Nodes.size(); ++i)
+  {
+    this->AddNode(
+      scene, scene.Nodes[i], "nodes[" + std::to_string(i) + "]", identity, renderer);
+  }
+  this->SetCamera(scene.Camera, renderer);
+}

@@ -1,0 +1,62 @@
+#ifndef MesoSceneBuilder_h
+#define MesoSceneBuilder_h
+
+#include "MesoScene.h"
+#include "mesoRenderingMesostructureModule.h" // for export macro
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkImageData;
+class vtkMesoPolyDataMapper;
+class vtkPolyData;
+class vtkRenderer;
+
+/**
+ * @class MesoSceneBuilder
+ * @brief Turns a scene into actors, lights and a camera of a renderer.
+ *
+ * Meshes are read or made, frames attached, maps brought to heights; each node with a mesh becomes
+ * an actor whose mapper draws the node's technique. Throws MesoInputError where a file cannot be
+ * used; the renderer may then hold a part of the scene.
+ *
+ * Colour maps are read in map coordinates, as the height map is: both repeat with `tiles`.
+ */
+class MESORENDERINGMESOSTRUCTURE_EXPORT MesoSceneBuilder
+{
+public:
+  struct Object
+  {
+    int Number = 0; ///< of the node, counted from 1 in the file's order, children after parents
+    std::string Name;
+    vtkSmartPointer<vtkActor> Actor;
+    vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
+    vtkSmartPointer<vtkPolyData> Mesh;      ///< with its frames
+    vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
+    MesoMesostructureOptions Options;
+  };
+
+  /// Fill the renderer. Its aspect must be that of the window that it will be drawn in.
+  void Build(const MesoScene& scene, vtkRenderer* renderer);
+
+  const std::vector<Object>& GetObjects() const { return this->Objects; }
+  /// What is odd but no error, a line each, to be shown to the user.
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+
+private:
+  void AddNode(const MesoScene& scene, const MesoSceneNode& node, const std::string& place,
+    const std::array<double, 16>& parentMatrix, vtkRenderer* renderer);
+  void AddLight(const MesoSceneLight& light, const MesoSceneCamera& camera, vtkRenderer* renderer);
+  void SetCamera(const MesoSceneCamera& camera, vtkRenderer* renderer);
+  vtkSmartPointer<vtkImageData> MakeHeightMap(const MesoSceneMap& map, const std::string& place);
+  vtkSmartPointer<vtkPolyData> MakeMesh(const MesoSceneNode& node, const std::string& place,
+    vtkImageData* heights, bool needsFrames);
+
+  std::vector<Object> Objects;
+  std::vector<std::string> Warnings;
+  int NodeCount = 0;
+};
+
+#endif

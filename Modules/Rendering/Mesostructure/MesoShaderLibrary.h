@@ -1,0 +1,24 @@
+#ifndef MesoShaderLibrary_h
+#define MesoShaderLibrary_h
+
+#include "mesoRenderingMesostructureModule.h" // for export macro
+
+#include <string>
+#include <vector>
+
+/**
+ * @file MesoShaderLibrary.h
+ * @brief The texts of the folder Shaders/, built into the library.
+ *
+ * In debug builds the environment variable MESO_SHADER_DIR names a folder that is read instead, at
+ * every use, so that a shader can be edited and seen without a build.
+ */
+
+/// The text of a file of Shaders/, named as there ("Common/Lighting.glsl"); empty when there is
+/// none.
+MESORENDERINGMESOSTRUCTURE_EXPORT std::string MesoShaderText(const std::string& name);
+
+/// The names of all texts.
+MESORENDERINGMESOSTRUCTURE_EXPORT std::vector<std::string> MesoShaderNames();
+
+#endif

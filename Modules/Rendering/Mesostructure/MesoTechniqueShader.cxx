@@ -1,0 +1,24 @@
+#include "MesoTechniqueShader.h"
+
+MesoShaderShape MesoTechniqueShader::GetShape() const
+{
+  MesoShaderShape shape;
+  shape.Chunks = { "Techniques/Plain.glsl" };
+  return shape;
+}
+
+std::string MesoTechniqueShader::Activate(vtkOpenGLRenderWindow*)
+{
+  return {};
+}
+
+void MesoTechniqueShader::SetUniforms(vtkShaderProgram*) {}
+
+void MesoTechniqueShader::Deactivate() {}
+
+void MesoTechniqueShader::ReleaseGraphicsResources(vtkWindow*) {}
+
+std::size_t MesoTechniqueShader::GetGPUBytes() const
+{
+  return 0;
+}

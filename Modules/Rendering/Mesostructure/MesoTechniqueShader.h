@@ -1,0 +1,57 @@
+#ifndef MesoTechniqueShader_h
+#define MesoTechniqueShader_h
+
+#include "mesoRenderingMesostructureModule.h" // for export macro
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+/// What a shader is built of. Equal shapes give equal text, so an unequal one asks for a build.
+struct MesoShaderShape
+{
+  std::vector<std::string> Chunks; ///< names in Shaders/, kernels first, the technique last
+  std::vector<std::pair<std::string, std::string>> Defines;
+  bool Traces = false;      ///< the technique looks for a surface other than the base mesh
+  bool UsesFrame = false;   ///< it needs the tangent frame of the vertices
+  bool WritesDepth = false; ///< the depth buffer is that of the detail
+
+  bool operator==(const MesoShaderShape& other) const
+  {
+    return this->Chunks == other.Chunks && this->Defines == other.Defines &&
+      this->Traces == other.Traces && this->UsesFrame == other.UsesFrame &&
+      this->WritesDepth == other.WritesDepth;
+  }
+};
+
+/**
+ * @class MesoTechniqueShader
+ * @brief What a mapper asks its technique: which shader, which textures and uniforms.
+ *
+ * The base class is the technique `plain`: the base mesh and nothing else.
+ */
+class MESORENDERINGMESOSTRUCTURE_EXPORT MesoTechniqueShader
+{
+public:
+  MesoTechniqueShader() = default;
+  virtual ~MesoTechniqueShader() = default;
+  MesoTechniqueShader(const MesoTechniqueShader&) = delete;
+  void operator=(const MesoTechniqueShader&) = delete;
+
+  virtual MesoShaderShape GetShape() const;
+
+  /// Make the textures ready and bind them. Returns why that failed, or an empty text.
+  virtual std::string Activate(vtkOpenGLRenderWindow* window);
+  virtual void SetUniforms(vtkShaderProgram* program);
+  virtual void Deactivate();
+  virtual void ReleaseGraphicsResources(vtkWindow* window);
+  /// Bytes of textures held on the GPU.
+  virtual std::size_t GetGPUBytes() const;
+};
+
+#endif

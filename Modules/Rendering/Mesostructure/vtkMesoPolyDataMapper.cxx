@@ -1,0 +1,591 @@
+#include "vtk_glew.h" // must come first
+
+#include "vtkMesoPolyDataMapper.h"
+
+#include "MesoShaderAssembler.h"
+#include "MesoShaderLibrary.h"
+#include "MesoTechniqueShader.h"
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkLightingMapPass.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMesoAOVPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+vtkStandardNewMacro(vtkMesoPolyDataMapper);
+
+namespace
+{
+/// Whether the actor is being drawn by a pass of class T.
+template <typename T>
+bool InPass(vtkActor* actor)
+{
+  vtkInformation* info = actor->GetPropertyKeys();
+  if (!info || !info->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    return false;
+  }
+  for (int i = 0; i < info->Length(vtkOpenGLRenderPass::RenderPasses()); ++i)
+  {
+    if (T::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool InLightingMap(vtkActor* actor)
+{
+  vtkInformation* info = actor->GetPropertyKeys();
+  return info &&
+    (info->Has(vtkLightingMapPass::RENDER_NORMALS()) ||
+      info->Has(vtkLightingMapPass::RENDER_LUMINANCE()));
+}
+
+/// One line of GLSL for a light: the call that shades by it.
+std::string LightCall(int complexity, int index)
+{
+  const std::string i = std::to_string(index);
+  // vtkShadowMapPass rewrites just this line.
+  const std::string radiance = "  radiance = lightColor" + i + ";\n";
+  if (complexity == 1)
+  {
+    return radiance +
+      "  shadeHeadlight(radiance, normalVCVSOutput, diffuseColor, specularPower);\n";
+  }
+  const std::string light = complexity == 2 ? "directionalLight(lightDirectionVC" + i + ")"
+                                            : "positionalLight(vertexVC.xyz, lightPositional" + i +
+      ", lightDirectionVC" + i + ", lightPositionVC" + i + ", lightAttenuation" + i +
+      ", lightConeAngle" + i + ", lightExponent" + i + ")";
+  return radiance + "  shade(" + i + ", " + light +
+    ", radiance, normalVCVSOutput, vertexVC.xyz, specularPower);\n";
+}
+
+void DumpShader(const char* stage, const std::string& text)
+{
+  const char* folder = std::getenv("MESO_DUMP_SHADERS");
+  if (folder && *folder)
+  {
+    static int number = 0;
+    std::ofstream(
+      std::string(folder) + "/shader" + std::to_string(number++) + "." + stage + ".glsl")
+      << text;
+  }
+}
+}
+
+vtkMesoPolyDataMapper::vtkMesoPolyDataMapper()
+  : Plain(std::make_unique<MesoTechniqueShader>())
+{
+}
+
+vtkMesoPolyDataMapper::~vtkMesoPolyDataMapper() = default;
+
+void vtkMesoPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scale: " << this->Options.Scale << "\n";
+  os << indent << "Tiles: " << this->Options.Tiles[0] << " " << this->Options.Tiles[1] << "\n";
+  os << indent << "Wrap: " << MesoName(this->Options.Wrap) << "\n";
+  os << indent << "Quality: " << MesoName(this->Options.Quality) << "\n";
+  os << indent << "Effects:";
+  for (const std::string& name : this->EffectsDrawn.Names())
+  {
+    os << " " << name;
+  }
+  os << "\n";
+}
+
+void vtkMesoPolyDataMapper::SetOptions(const MesoMesostructureOptions& options)
+{
+  const double scale = options.Scale;
+  if (!(scale >= 0.0) || !(options.Tiles[0] > 0.0) || !(options.Tiles[1] > 0.0))
+  {
+    vtkErrorMacro("Scale must be at least 0 and tiles above 0; got scale "
+      << scale << ", tiles " << options.Tiles[0] << " " << options.Tiles[1]);
+    return;
+  }
+  if (!options.Effects.Auto)
+  {
+    const MesoEffects missing = options.Effects.Named.Without(this->GetEffectsProvided());
+    if (!missing.Empty())
+    {
+      vtkErrorMacro("The technique does not provide the effect " << missing.Names().front());
+      return;
+    }
+  }
+  this->Options = options;
+  this->OptionsChanged();
+}
+
+void vtkMesoPolyDataMapper::SetScale(double scale)
+{
+  MesoMesostructureOptions options = this->Options;
+  options.Scale = scale;
+  this->SetOptions(options);
+}
+
+void vtkMesoPolyDataMapper::SetTiles(double u, double v)
+{
+  MesoMesostructureOptions options = this->Options;
+  options.Tiles = { u, v };
+  this->SetOptions(options);
+}
+
+MesoTechniqueShader* vtkMesoPolyDataMapper::GetTechnique()
+{
+  return this->Plain.get();
+}
+
+void vtkMesoPolyDataMapper::WarnOnce(const std::string& reason)
+{
+  if (reason != this->LastWarning)
+  {
+    this->LastWarning = reason;
+    vtkWarningMacro(<< reason);
+  }
+}
+
+std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor* actor)
+{
+  if (!shape.Traces)
+  {
+    return {};
+  }
+  if (InPass<vtkShadowMapBakerPass>(actor))
+  {
+    return "Shadow map passes do not see the displaced surface yet: the base mesh is drawn.";
+  }
+  vtkPointData* points = this->CurrentInput->GetPointData();
+  std::string missing;
+  if (!points->GetNormals())
+  {
+    missing += " normals";
+  }
+  if (!points->GetTCoords() || points->GetTCoords()->GetNumberOfComponents() != 2)
+  {
+    missing += " texture coordinates (2 components)";
+  }
+  for (const char* name : { "MesoTangent", "MesoBitangent", "MesoTileScale" })
+  {
+    if (shape.UsesFrame && !points->GetArray(name))
+    {
+      missing += std::string(" ") + name;
+    }
+  }
+  if (!missing.empty())
+  {
+    return "The input lacks" + missing +
+      ": the base mesh is drawn. vtkMesoSurfaceFrames makes frames from texture coordinates.";
+  }
+  return {};
+}
+
+void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool aov)
+{
+  if (!shape.Traces && !aov)
+  {
+    return;
+  }
+  vtkPointData* points = this->CurrentInput->GetPointData();
+  const auto map = [&](const char* attribute, vtkDataArray* array)
+  {
+    const auto mapped = this->ExtraAttributes.find(attribute);
+    const std::string now =
+      mapped == this->ExtraAttributes.end() ? std::string() : mapped->second.DataArrayName;
+    const std::string wanted = array && array->GetName() ? array->GetName() : "";
+    if (now != wanted)
+    {
+      this->MapDataArrayToVertexAttribute(attribute, wanted.empty() ? nullptr : wanted.c_str(),
+        vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    }
+  };
+  map("mesoTCoord", points->GetTCoords());
+  map("mesoNormal", points->GetNormals());
+  if (shape.UsesFrame)
+  {
+    map("mesoTangent", points->GetArray("MesoTangent"));
+    map("mesoBitangent", points->GetArray("MesoBitangent"));
+    map("mesoTileScale", points->GetArray("MesoTileScale"));
+  }
+}
+
+void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
+{
+  MesoTechniqueShader* technique = this->GetTechnique();
+  const MesoShaderShape shape = technique->GetShape();
+  std::string whyNot = this->WhyNot(shape, actor);
+  if (whyNot.empty())
+  {
+    whyNot = technique->Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  }
+  this->Fallback = !whyNot.empty();
+  if (this->Fallback)
+  {
+    this->WarnOnce(whyNot);
+  }
+  this->EffectsDrawn = this->Fallback || !shape.Traces
+    ? MesoEffects()
+    : (this->Options.Effects.Auto ? this->GetEffectsProvided() : this->Options.Effects.Named);
+  this->MapAttributes(shape, InPass<vtkMesoAOVPass>(actor));
+  this->Superclass::RenderPieceStart(renderer, actor);
+}
+
+void vtkMesoPolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::RenderPieceFinish(renderer, actor);
+  this->GetTechnique()->Deactivate();
+}
+
+void vtkMesoPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->GetTechnique()->ReleaseGraphicsResources(window);
+  this->BuiltKeys.clear();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+vtkMesoPolyDataMapper::Build vtkMesoPolyDataMapper::DescribeBuild(
+  vtkOpenGLHelper& cellBO, vtkActor* actor)
+{
+  Build build;
+  const auto& info = this->PrimitiveInfo[&cellBO];
+  build.LightComplexity = info.LastLightCount > 0 ? info.LastLightComplexity : 0;
+  build.LightCount = info.LastLightCount;
+  build.Lit = info.LastLightComplexity > 0;
+  build.AOV = InPass<vtkMesoAOVPass>(actor);
+  build.OwnLighting = build.LightComplexity > 0 &&
+    actor->GetProperty()->GetInterpolation() != VTK_PBR && !InLightingMap(actor);
+
+  vtkPointData* points = this->CurrentInput->GetPointData();
+  const bool triangles =
+    cellBO.PrimitiveType == PrimitiveTris || cellBO.PrimitiveType == PrimitiveTriStrips;
+  const MesoShaderShape shape =
+    this->Fallback ? this->Plain->GetShape() : this->GetTechnique()->GetShape();
+  build.Surface = triangles && !this->PointPicking && (shape.Traces || build.AOV) &&
+    points->GetNormals() && points->GetTCoords();
+  build.Traces = build.Surface && shape.Traces;
+  build.WritesDepth = build.Traces && shape.WritesDepth;
+  build.Textured =
+    build.Traces && this->HaveTCoords(this->CurrentInput) && !this->GetTextures(actor).empty();
+
+  std::vector<std::pair<std::string, std::string>> defines;
+  const auto define = [&](const char* name, bool on)
+  {
+    if (on)
+    {
+      defines.emplace_back(name, "");
+    }
+  };
+  define("MESO_SURFACE", build.Surface);
+  define("MESO_AOV", build.AOV && build.Surface);
+  define("MESO_LIT", build.Lit);
+  define("MESO_LIGHTING", build.OwnLighting);
+  define("MESO_HEADLIGHT", build.LightComplexity == 1);
+  define("MESO_SPECULAR", actor->GetProperty()->GetSpecular() != 0.0);
+  vtkInformation* keys = actor->GetPropertyKeys();
+  define("MESO_TEXTURE_TRANSFORM",
+    build.Textured && keys && keys->Has(vtkProp::GeneralTextureTransform()));
+  defines.emplace_back("MESO_LIGHT_COUNT", std::to_string(build.LightCount));
+  if (build.Surface)
+  {
+    define("MESO_FRAME", shape.UsesFrame);
+    defines.insert(defines.end(), shape.Defines.begin(), shape.Defines.end());
+  }
+  build.Definitions = MesoShaderAssembler::DefineLines(defines);
+  return build;
+}
+
+bool vtkMesoPolyDataMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
+  std::string& built = this->BuiltKeys[&cellBO];
+  const std::string wanted = this->DescribeBuild(cellBO, actor).Definitions;
+  if (built == wanted)
+  {
+    return rebuild;
+  }
+  built = wanted;
+  return true;
+}
+
+void vtkMesoPolyDataMapper::SpliceVertexShader(
+  const Build& build, MesoShaderAssembler& vertex) const
+{
+  vertex.Before("//VTK::CustomUniforms::Dec", "Common/VertexDec.glsl",
+    build.Definitions + MesoShaderText("Common/VertexDec.glsl"));
+  vertex.Before(
+    "//VTK::CustomEnd::Impl", "Common/VertexImpl.glsl", MesoShaderText("Common/VertexImpl.glsl"));
+}
+
+void vtkMesoPolyDataMapper::SpliceGeometryShader(
+  const Build& build, MesoShaderAssembler& geometry) const
+{
+  // Edges and wide lines bring a geometry shader: without these lines everything that the vertices
+  // hand on would be undefined in the fragments, with no error.
+  geometry.Before("//VTK::TCoord::Dec", "Common/GeometryDec.glsl",
+    build.Definitions + MesoShaderText("Common/GeometryDec.glsl"));
+  geometry.Before(
+    "//VTK::TCoord::Impl", "Common/GeometryImpl.glsl", MesoShaderText("Common/GeometryImpl.glsl"));
+}
+
+void vtkMesoPolyDataMapper::SpliceFragmentShader(
+  const Build& build, MesoShaderAssembler& fragment) const
+{
+  const auto declare = [&](const std::string& name)
+  { fragment.Before("//VTK::CustomUniforms::Dec", name, MesoShaderText(name)); };
+  fragment.Before("//VTK::CustomUniforms::Dec", "definitions", build.Definitions);
+  if (build.Surface)
+  {
+    declare("Common/Surface.glsl");
+    const MesoTechniqueShader* technique =
+      this->Fallback ? this->Plain.get() : const_cast<vtkMesoPolyDataMapper*>(this)->GetTechnique();
+    for (const std::string& chunk : technique->GetShape().Chunks)
+    {
+      declare(chunk);
+    }
+    fragment.Before(
+      "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl", MesoShaderText("Common/TraceImpl.glsl"));
+  }
+  if (build.Textured)
+  {
+    declare("Common/TextureDec.glsl");
+    fragment.Before("//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl",
+      MesoShaderText("Common/TextureImpl.glsl"));
+  }
+  if (build.WritesDepth)
+  {
+    declare("Common/DepthDec.glsl");
+    fragment.Before(
+      "//VTK::Depth::Impl", "Common/DepthImpl.glsl", MesoShaderText("Common/DepthImpl.glsl"));
+  }
+  if (build.OwnLighting)
+  {
+    declare("Common/Lighting.glsl");
+  }
+  if (build.Traces && build.Lit)
+  {
+    fragment.After(
+      "//VTK::Normal::Impl", "Common/NormalImpl.glsl", MesoShaderText("Common/NormalImpl.glsl"));
+  }
+}
+
+void vtkMesoPolyDataMapper::ReadTexturesAtHit(MesoShaderAssembler& fragment, vtkActor* actor)
+{
+  for (const auto& texture : this->GetTextures(actor))
+  {
+    if (texture.second == "colortexture" || texture.first->GetCubeMap())
+    {
+      continue; // scalar colours, environments
+    }
+    const std::string asWritten = "texture(" + texture.second + ", tcoordVCVSOutput)";
+    const int count = std::max(1, fragment.Count(asWritten));
+    fragment.Rename(asWritten, "textureAtHit(" + texture.second + ", tcoordVCVSOutput)", count);
+  }
+}
+
+void vtkMesoPolyDataMapper::Report(const MesoShaderAssembler& assembler)
+{
+  for (const std::string& error : assembler.GetErrors())
+  {
+    vtkErrorMacro(<< error);
+  }
+}
+
+void vtkMesoPolyDataMapper::ReplaceShaderValues(
+  Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  const Build build = this->DescribeBuild(*this->LastBoundBO, actor);
+  MesoShaderAssembler vertex("vertex shader", shaders[vtkShader::Vertex]->GetSource());
+  MesoShaderAssembler geometry("geometry shader", shaders[vtkShader::Geometry]->GetSource());
+  MesoShaderAssembler fragment("fragment shader", shaders[vtkShader::Fragment]->GetSource());
+  if (build.Surface)
+  {
+    this->SpliceVertexShader(build, vertex);
+    if (!geometry.GetText().empty())
+    {
+      this->SpliceGeometryShader(build, geometry);
+    }
+  }
+  if (build.Surface || build.OwnLighting)
+  {
+    this->SpliceFragmentShader(build, fragment);
+  }
+  shaders[vtkShader::Vertex]->SetSource(vertex.GetText());
+  shaders[vtkShader::Geometry]->SetSource(geometry.GetText());
+  shaders[vtkShader::Fragment]->SetSource(fragment.GetText());
+
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+
+  if (build.Textured)
+  {
+    MesoShaderAssembler textured("fragment shader", shaders[vtkShader::Fragment]->GetSource());
+    this->ReadTexturesAtHit(textured, actor);
+    shaders[vtkShader::Fragment]->SetSource(textured.GetText());
+    this->Report(textured);
+  }
+  this->Report(vertex);
+  this->Report(geometry);
+  this->Report(fragment);
+  DumpShader("vert", shaders[vtkShader::Vertex]->GetSource());
+  DumpShader("frag", shaders[vtkShader::Fragment]->GetSource());
+}
+
+void vtkMesoPolyDataMapper::ReplaceShaderLight(
+  Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  const Build build = this->DescribeBuild(*this->LastBoundBO, actor);
+  if (!build.OwnLighting)
+  {
+    this->Superclass::ReplaceShaderLight(shaders, renderer, actor);
+    return;
+  }
+  std::string calls;
+  for (int i = 0; i < build.LightCount; ++i)
+  {
+    calls += LightCall(build.LightComplexity, i);
+  }
+  MesoShaderAssembler light("light chunk", MesoShaderText("Common/LightImpl.glsl"));
+  light.Replace("//MESO::Lights", "lights", calls);
+  MesoShaderAssembler fragment("fragment shader", shaders[vtkShader::Fragment]->GetSource());
+  fragment.Before("//VTK::Light::Impl", "Common/LightImpl.glsl", light.GetText());
+  fragment.Replace("//VTK::Light::Dec", "lights' uniforms",
+    static_cast<vtkOpenGLRenderer*>(renderer)->GetLightingUniforms());
+  shaders[vtkShader::Fragment]->SetSource(fragment.GetText());
+  this->Report(light);
+  this->Report(fragment);
+}
+
+void vtkMesoPolyDataMapper::ReplaceShaderCoincidentOffset(
+  Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->DescribeBuild(*this->LastBoundBO, actor).WritesDepth)
+  {
+    this->Superclass::ReplaceShaderCoincidentOffset(shaders, renderer, actor);
+    return;
+  }
+  float factor = 0.0f;
+  float offset = 0.0f;
+  this->GetCoincidentParameters(renderer, actor, factor, offset);
+  if (factor == 0.0f && offset == 0.0f)
+  {
+    return;
+  }
+  MesoShaderAssembler fragment("fragment shader", shaders[vtkShader::Fragment]->GetSource());
+  fragment.Replace("//VTK::Coincident::Dec", "Common/CoincidentDec.glsl",
+    MesoShaderText("Common/CoincidentDec.glsl"));
+  fragment.Replace("//VTK::Depth::Impl", "Common/CoincidentImpl.glsl",
+    MesoShaderText("Common/CoincidentImpl.glsl"));
+  shaders[vtkShader::Fragment]->SetSource(fragment.GetText());
+  this->Report(fragment);
+}
+
+void vtkMesoPolyDataMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+  if (cellBO.Program->IsUniformUsed("mesoTiles"))
+  {
+    const float tiles[2] = { static_cast<float>(this->Options.Tiles[0]),
+      static_cast<float>(this->Options.Tiles[1]) };
+    cellBO.Program->SetUniform2f("mesoTiles", tiles);
+  }
+  if (!this->Fallback)
+  {
+    this->GetTechnique()->SetUniforms(cellBO.Program);
+  }
+}
+
+void vtkMesoPolyDataMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
+  vtkShaderProgram* program = cellBO.Program;
+  if (!program->IsUniformUsed("mesoMCVCMatrix"))
+  {
+    return;
+  }
+  // VTK hands these matrices out transposed, so that products read from model to view.
+  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
+  vtkMatrix4x4* wcvc;
+  vtkMatrix3x3* viewNormals;
+  vtkMatrix4x4* vcdc;
+  vtkMatrix4x4* wcdc;
+  camera->GetKeyMatrices(renderer, wcvc, viewNormals, vcdc, wcdc);
+  vtkMatrix4x4* mcwc;
+  vtkMatrix3x3* modelNormals;
+  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(mcwc, modelNormals);
+
+  vtkNew<vtkMatrix4x4> mcvc;
+  vtkNew<vtkMatrix3x3> normals;
+  mcvc->DeepCopy(wcvc);
+  normals->DeepCopy(viewNormals);
+  if (!actor->GetIsIdentity())
+  {
+    vtkMatrix4x4::Multiply4x4(mcwc, wcvc, mcvc);
+    vtkMatrix3x3::Multiply3x3(modelNormals, viewNormals, normals);
+  }
+  vtkNew<vtkMatrix3x3> linear;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      linear->SetElement(i, j, mcvc->GetElement(i, j));
+    }
+  }
+  vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
+  if (positions && positions->GetCoordShiftAndScaleEnabled())
+  {
+    vtkMatrix4x4::Multiply4x4(this->VBOShiftScale, mcvc, mcvc);
+  }
+  program->SetUniformMatrix("mesoMCVCMatrix", mcvc);
+  program->SetUniformMatrix("mesoNormalMatrix", normals);
+  if (program->IsUniformUsed("mesoModelToView"))
+  {
+    program->SetUniformMatrix("mesoModelToView", linear);
+  }
+  if (program->IsUniformUsed("mesoVCDCMatrix"))
+  {
+    program->SetUniformMatrix("mesoVCDCMatrix", vcdc);
+  }
+}
+
+std::size_t vtkMesoPolyDataMapper::GetGPUBytes()
+{
+  std::size_t bytes = this->GetTechnique()->GetGPUBytes();
+  for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "mesoTCoord",
+         "mesoNormal", "mesoTangent", "mesoBitangent", "mesoTileScale" })
+  {
+    if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name))
+    {
+      bytes += std::size_t(buffer->GetNumberOfTuples()) * buffer->GetStride();
+    }
+  }
+  for (const vtkOpenGLHelper& primitive : this->Primitives)
+  {
+    bytes += primitive.IBO->IndexCount * sizeof(unsigned int);
+  }
+  return bytes;
+}

@@ -1,0 +1,146 @@
+/**
+ * @class vtkMesoPolyDataMapper
+ * @brief Draw a base mesh with one of Meso's techniques; by itself, the technique `plain`.
+ *
+ * The family's mappers derive from this class and give it a technique (MesoTechniqueShader). What
+ * is common to all of them is here and in Shaders/Common: lighting, depth, colour textures read
+ * where the ray hit, and every pixel's hit as numbers (vtkMesoAOVPass).
+ *
+ * A frame is drawn as by vtkOpenGLPolyDataMapper, with these steps added:
+ *
+ *     arrays of the input -> vertex attributes       RenderPieceStart
+ *     technique's chunks spliced into the shaders    ReplaceShaderValues, before the superclass
+ *     own lighting in place of VTK's                 ReplaceShaderLight
+ *     textures and uniforms                          SetMapper-, SetCameraShaderParameters
+ *
+ * Without relief the picture is that of vtkPolyDataMapper, bit for bit, for any lights.
+ *
+ * A technique that needs the tangent frame asks for the point arrays MesoTangent (3), MesoBitangent
+ * (3) and MesoTileScale (2), normals and texture coordinates (vtkMesoSurfaceFrames makes them).
+ * Where they are missing the base mesh is drawn and one warning says what to add.
+ *
+ * VTK's shadow map passes store the depth of the base mesh, in whose shadow inward relief would
+ * lie: they are refused with an error and the base mesh is drawn. Physically based materials are
+ * lit by VTK, without self-shadow. Clipping planes cut the base mesh.
+ *
+ * The environment variable MESO_DUMP_SHADERS names a folder to which each shader that is built is
+ * written.
+ *
+ * @sa vtkMesoReliefMapper, vtkMesoAOVPass
+ */
+
+#ifndef vtkMesoPolyDataMapper_h
+#define vtkMesoPolyDataMapper_h
+
+#include "MesoOptions.h"                      // for MesoMesostructureOptions
+#include "mesoRenderingMesostructureModule.h" // for export macro
+#include "vtkOpenGLPolyDataMapper.h"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+
+class MesoShaderAssembler;
+class MesoTechniqueShader;
+struct MesoShaderShape;
+
+class MESORENDERINGMESOSTRUCTURE_EXPORT vtkMesoPolyDataMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkMesoPolyDataMapper* New();
+  vtkTypeMacro(vtkMesoPolyDataMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How the detail is drawn. Scale, tiles: a new value is a uniform and costs nothing; quality,
+   * effects and wrap build the shader anew. The technique named in the options is not looked at:
+   * the mapper's class is the technique.
+   */
+  void SetOptions(const MesoMesostructureOptions& options);
+  const MesoMesostructureOptions& GetOptions() const { return this->Options; }
+  ///@}
+
+  ///@{
+  /// D, the depth of the deepest point below the base mesh, in object units, >= 0. Default 0.
+  void SetScale(double scale);
+  double GetScale() const { return this->Options.Scale; }
+  ///@}
+
+  /// Map coordinate = texture coordinate x tiles; each > 0. Default 1, 1.
+  void SetTiles(double u, double v);
+
+  /// The effects that the shader of the last frame had compiled in.
+  MesoEffects GetEffectsDrawn() const { return this->EffectsDrawn; }
+
+  /// Bytes of vertex data, indices and textures held on the GPU since the last frame.
+  std::size_t GetGPUBytes();
+
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkMesoPolyDataMapper();
+  ~vtkMesoPolyDataMapper() override;
+
+  using Shaders = std::map<vtkShader::Type, vtkShader*>;
+
+  /// The technique of this class; the base class's is `plain`.
+  virtual MesoTechniqueShader* GetTechnique();
+  /// Called after the options have changed.
+  virtual void OptionsChanged() {}
+  /// The effects that the technique can show.
+  virtual MesoEffects GetEffectsProvided() const { return {}; }
+
+  bool GetNeedToRebuildShaders(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderLight(Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderCoincidentOffset(
+    Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetCameraShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  vtkMesoPolyDataMapper(const vtkMesoPolyDataMapper&) = delete;
+  void operator=(const vtkMesoPolyDataMapper&) = delete;
+
+  /// What decides a shader's text beside VTK's own state.
+  struct Build
+  {
+    bool Surface = false; ///< the contract of Shaders/Common/Surface.glsl is in the shader
+    bool Lit = false;
+    bool OwnLighting = false;
+    bool Textured = false;
+    bool AOV = false;
+    bool Traces = false;
+    bool WritesDepth = false;
+    int LightComplexity = 0;
+    int LightCount = 0;
+    std::string Definitions; ///< all defines and chunks of the technique, as text
+  };
+  Build DescribeBuild(vtkOpenGLHelper& cellBO, vtkActor* actor);
+
+  /// Why the technique cannot be drawn on the input or in these passes; empty when it can.
+  std::string WhyNot(const MesoShaderShape& shape, vtkActor* actor);
+  void MapAttributes(const MesoShaderShape& shape, bool aov);
+  void SpliceVertexShader(const Build& build, MesoShaderAssembler& vertex) const;
+  void SpliceGeometryShader(const Build& build, MesoShaderAssembler& geometry) const;
+  void SpliceFragmentShader(const Build& build, MesoShaderAssembler& fragment) const;
+  void ReadTexturesAtHit(MesoShaderAssembler& fragment, vtkActor* actor);
+  void Report(const MesoShaderAssembler& assembler);
+  void WarnOnce(const std::string& reason);
+
+  MesoMesostructureOptions Options;
+  std::unique_ptr<MesoTechniqueShader> Plain;
+  bool Fallback = false; ///< the technique cannot be drawn in this frame: plain instead
+  std::string LastWarning;
+  MesoEffects EffectsDrawn;
+  std::map<const vtkOpenGLHelper*, std::string> BuiltKeys;
+};
+
+#endif

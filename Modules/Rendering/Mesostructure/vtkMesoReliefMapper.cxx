@@ -1,0 +1,52 @@
+#include "vtkMesoReliefMapper.h"
+
+#include "MesoReliefShader.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkMesoReliefMapper);
+
+vtkMesoReliefMapper::vtkMesoReliefMapper()
+  : Relief(std::make_unique<MesoReliefShader>())
+{
+  MesoMesostructureOptions options;
+  options.Technique = MesoTechnique::Relief;
+  this->SetOptions(options);
+}
+
+vtkMesoReliefMapper::~vtkMesoReliefMapper() = default;
+
+void vtkMesoReliefMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "HeightMap: " << this->Relief->GetHeightMap() << "\n";
+}
+
+void vtkMesoReliefMapper::SetHeightMap(vtkImageData* heights)
+{
+  if (heights != this->Relief->GetHeightMap())
+  {
+    this->Relief->SetHeightMap(heights);
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkMesoReliefMapper::GetHeightMap()
+{
+  return this->Relief->GetHeightMap();
+}
+
+MesoTechniqueShader* vtkMesoReliefMapper::GetTechnique()
+{
+  return this->Relief.get();
+}
+
+MesoEffects vtkMesoReliefMapper::GetEffectsProvided() const
+{
+  return MesoEffectsOfTechnique(MesoTechnique::Relief);
+}
+
+void vtkMesoReliefMapper::OptionsChanged()
+{
+  this->Relief->SetOptions(this->GetOptions());
+}

@@ -1,0 +1,61 @@
+/**
+ * @class vtkMesoReliefMapper
+ * @brief Relief mapping: a height map searched along the view ray, in the tangent plane.
+ *
+ * Draws `q = p + (h - 1) D n` as seen from the eye, with D the Scale of the options and h the
+ * height map: near detail hides far detail, detail shades itself for each light, and the depth
+ * buffer is that of the detail. The outline stays that of the mesh.
+ *
+ * The base is taken as its tangent plane around each fragment, so the error grows with curvature
+ * times D and with grazing views. The search steps linearly and then halves (MesoStepsOfQuality):
+ * detail thinner than a step can be missed.
+ *
+ * Heights: one component of float in [0,1], row 0 at t = 0, bilinear between texel centres.
+ *
+ * Sources: Policarpo, Oliveira, Comba, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces",
+ * I3D 2005; Oliveira, Policarpo, "An Efficient Representation for Surface Details", 2005, section
+ * 2.1.
+ *
+ * @sa vtkMesoPolyDataMapper, vtkMesoSurfaceFrames
+ */
+
+#ifndef vtkMesoReliefMapper_h
+#define vtkMesoReliefMapper_h
+
+#include "mesoRenderingMesostructureModule.h" // for export macro
+#include "vtkMesoPolyDataMapper.h"
+
+#include <memory>
+
+class MesoReliefShader;
+class vtkImageData;
+
+class MESORENDERINGMESOSTRUCTURE_EXPORT vtkMesoReliefMapper : public vtkMesoPolyDataMapper
+{
+public:
+  static vtkMesoReliefMapper* New();
+  vtkTypeMacro(vtkMesoReliefMapper, vtkMesoPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The height map; without one the base mesh is drawn.
+  void SetHeightMap(vtkImageData* heights);
+  vtkImageData* GetHeightMap();
+  ///@}
+
+protected:
+  vtkMesoReliefMapper();
+  ~vtkMesoReliefMapper() override;
+
+  MesoTechniqueShader* GetTechnique() override;
+  MesoEffects GetEffectsProvided() const override;
+  void OptionsChanged() override;
+
+private:
+  vtkMesoReliefMapper(const vtkMesoReliefMapper&) = delete;
+  void operator=(const vtkMesoReliefMapper&) = delete;
+
+  std::unique_ptr<MesoReliefShader> Relief;
+};
+
+#endif

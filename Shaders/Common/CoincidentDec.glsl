@@ -1,0 +1,1 @@
+uniform float cOffset; // VTK's offset of coincident topology, in 1/65000 of the depth range

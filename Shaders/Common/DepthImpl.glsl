@@ -1,0 +1,1 @@
+  gl_FragDepth = depthOf(mesoHitVC);

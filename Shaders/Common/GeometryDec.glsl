@@ -1,0 +1,15 @@
+// Geometry stage (edges, wide lines): hands the vertices' outputs on.
+in vec3 mesoPositionVCVSOutput[];
+in vec2 mesoTCoordVSOutput[];
+in vec3 mesoNormalVCVSOutput[];
+out vec3 mesoPositionVCGSOutput;
+out vec2 mesoTCoordGSOutput;
+out vec3 mesoNormalVCGSOutput;
+#ifdef MESO_FRAME
+in vec3 mesoNormalMCVSOutput[];
+in vec3 mesoPerTCoordUVSOutput[];
+in vec3 mesoPerTCoordVVSOutput[];
+out vec3 mesoNormalMCGSOutput;
+out vec3 mesoPerTCoordUGSOutput;
+out vec3 mesoPerTCoordVGSOutput;
+#endif

@@ -1,0 +1,8 @@
+    mesoPositionVCGSOutput = mesoPositionVCVSOutput[i];
+    mesoTCoordGSOutput = mesoTCoordVSOutput[i];
+    mesoNormalVCGSOutput = mesoNormalVCVSOutput[i];
+#ifdef MESO_FRAME
+    mesoNormalMCGSOutput = mesoNormalMCVSOutput[i];
+    mesoPerTCoordUGSOutput = mesoPerTCoordUVSOutput[i];
+    mesoPerTCoordVGSOutput = mesoPerTCoordVVSOutput[i];
+#endif

@@ -1,0 +1,23 @@
+// The only functions that know the height map's sampler; the kernels stand on these.
+//   MESO_WRAP  0 repeat, 1 clamp, 2 mirror
+uniform sampler2D mesoHeightMap;
+
+float fetchHeight(ivec2 texel)
+{
+  return texelFetch(mesoHeightMap, texel, 0).r;
+}
+
+float sampleHeight(vec2 uv)
+{
+  return textureLod(mesoHeightMap, uv, 0.0).r;
+}
+
+ivec2 mapSize()
+{
+  return textureSize(mesoHeightMap, 0);
+}
+
+int wrapMode()
+{
+  return MESO_WRAP;
+}

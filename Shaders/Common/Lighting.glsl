@@ -1,0 +1,95 @@
+// VTK 9.1's Phong, term for term in VTK's order, so that a surface without relief comes out equal
+// bit for bit; and for each light the fraction of it that the detail blocks.
+//   MESO_SPECULAR     the material has a specular part (without one, VTK adds an exact zero)
+//   MESO_SELF_SHADOW  detail blocks light
+
+struct MesoLight
+{
+  vec3 TravelVC;     // unit: the way the light travels here
+  float Attenuation; // distance and cone, 1 without
+};
+
+vec3 mesoDiffuse;
+vec3 mesoSpecular;
+#ifdef MESO_AOV
+float mesoBlocked[MESO_LIGHT_COUNT];
+#endif
+int mesoShadowFetches;
+
+MesoLight directionalLight(vec3 directionVC)
+{
+  MesoLight light;
+  light.TravelVC = directionVC;
+  light.Attenuation = 1.0;
+  return light;
+}
+
+MesoLight positionalLight(vec3 positionVC, int positional, vec3 lightDirectionVC,
+  vec3 lightPositionVC, vec3 attenuation, float coneAngle, float exponent)
+{
+  MesoLight light;
+  light.Attenuation = 1.0;
+  light.TravelVC = lightDirectionVC;
+  if (positional != 0)
+  {
+    light.TravelVC = positionVC - lightPositionVC;
+    float distanceVC = length(light.TravelVC);
+    light.TravelVC = normalize(light.TravelVC);
+    light.Attenuation =
+      1.0 / (attenuation.x + attenuation.y * distanceVC + attenuation.z * distanceVC * distanceVC);
+    if (coneAngle < 90.0)
+    {
+      float coneDot = dot(light.TravelVC, lightDirectionVC);
+      if (coneDot >= cos(radians(coneAngle)))
+      {
+        light.Attenuation = light.Attenuation * pow(coneDot, exponent);
+      }
+      else
+      {
+        light.Attenuation = 0.0;
+      }
+    }
+  }
+  return light;
+}
+
+// What is left of a light's radiance after the detail has blocked its part.
+vec3 unblocked(int index, vec3 lightOutVC, vec3 radiance)
+{
+#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
+  int fetches;
+  float blocked = blockedFraction(mesoFragment, mesoHit, lightOutVC, fetches);
+  mesoShadowFetches += fetches;
+#ifdef MESO_AOV
+  mesoBlocked[index] = blocked;
+#endif
+#ifdef MESO_SELF_SHADOW
+  return (1.0 - blocked) * radiance;
+#endif
+#endif
+  return radiance;
+}
+
+// A single headlight: directional along the view axis, so that VTK lights it by n.z alone.
+void shadeHeadlight(vec3 radiance, vec3 normalVC, vec3 diffuseColor, float specularPower)
+{
+  radiance = unblocked(0, vec3(0.0, 0.0, 1.0), radiance);
+  float df = max(0.0, normalVC.z);
+  mesoDiffuse = df * diffuseColor * radiance;
+#ifdef MESO_SPECULAR
+  mesoSpecular = pow(df, specularPower) * radiance;
+#endif
+}
+
+void shade(int index, MesoLight light, vec3 radiance, vec3 normalVC, vec3 positionVC,
+  float specularPower)
+{
+  radiance = unblocked(index, -light.TravelVC, radiance);
+  float df = max(0.0, light.Attenuation * dot(normalVC, -light.TravelVC));
+  mesoDiffuse += df * radiance;
+#ifdef MESO_SPECULAR
+  float sf = sign(df) * light.Attenuation *
+    pow(max(0.0, dot(reflect(light.TravelVC, normalVC), normalize(-positionVC))), specularPower);
+  mesoSpecular += sf * radiance;
+#endif
+}

@@ -1,0 +1,1 @@
+  normalVCVSOutput = mesoHit.NormalVC;

@@ -1,0 +1,86 @@
+// The contract between a technique and everything written once around it. All vectors are in view
+// coordinates (VC), whose unit is the world's; map coordinates are the mesh's uv times tiles.
+//   MESO_FRAME        the technique uses the tangent frame
+//   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
+//   MESO_AOV          every pixel's hit is written out as numbers
+//   MESO_LIGHT_COUNT  number of lights that are on
+
+// What the rasteriser knows of the base mesh at this fragment.
+struct MesoFragment
+{
+  vec3 PositionVC;
+  vec3 ViewVC;     // unit, from the eye into the scene
+  vec3 NormalVC;   // unit, of the base mesh
+  vec2 MapCoord;
+  vec3 PerMapU;    // dp/du per unit of map coordinate
+  vec3 PerMapV;    // dp/dv
+  vec3 PerDepth;   // -D n: from depth 0 (the mesh) to depth 1 (the deepest point)
+};
+
+// What a technique found along the view ray.
+struct MesoSurfaceHit
+{
+  bool Found;           // false: the ray misses the detail
+  float RayLength;      // along the view ray from the fragment, so that the hit is on the pixel's ray
+  vec2 MapCoord;
+  float Relief;         // depth in [0,1]
+  vec3 NormalVC;        // unit, for shading
+  vec3 FacetNormalVC;   // unit, of the bilinear patch itself: which way the surface really faces
+  int Fetches;          // filtered samples of the map
+  int TexelReads;       // texels behind them
+  int Iterations;       // steps of the view search
+};
+
+in vec3 mesoPositionVCVSOutput;
+in vec2 mesoTCoordVSOutput;
+in vec3 mesoNormalVCVSOutput;
+uniform vec2 mesoTiles;
+#ifdef MESO_FRAME
+in vec3 mesoNormalMCVSOutput;
+in vec3 mesoPerTCoordUVSOutput;
+in vec3 mesoPerTCoordVVSOutput;
+uniform mat3 mesoModelToView;
+uniform float mesoScale; // D in object units
+#endif
+
+MesoFragment mesoFragment;
+MesoSurfaceHit mesoHit;
+vec3 mesoHitVC; // where the drawn surface is: on the relief with MESO_DEPTH or MESO_OCCLUSION
+
+MesoFragment makeFragment(bool parallelProjection, bool frontFacing)
+{
+  MesoFragment f;
+  f.PositionVC = mesoPositionVCVSOutput;
+  f.ViewVC = parallelProjection ? vec3(0.0, 0.0, -1.0) : normalize(mesoPositionVCVSOutput);
+  f.NormalVC = normalize(mesoNormalVCVSOutput);
+  if (!frontFacing)
+  {
+    f.NormalVC = -f.NormalVC;
+  }
+  f.MapCoord = mesoTCoordVSOutput * mesoTiles;
+  f.PerMapU = vec3(0.0);
+  f.PerMapV = vec3(0.0);
+  f.PerDepth = vec3(0.0);
+#ifdef MESO_FRAME
+  f.PerMapU = mesoPerTCoordUVSOutput / mesoTiles.x;
+  f.PerMapV = mesoPerTCoordVVSOutput / mesoTiles.y;
+  f.PerDepth = mesoModelToView * (-mesoScale * normalize(mesoNormalMCVSOutput));
+#endif
+  return f;
+}
+
+// The base mesh itself as the hit: what is drawn where there is no relief to find.
+MesoSurfaceHit baseSurface(MesoFragment f)
+{
+  MesoSurfaceHit hit;
+  hit.Found = true;
+  hit.RayLength = 0.0;
+  hit.MapCoord = f.MapCoord;
+  hit.Relief = 0.0;
+  hit.NormalVC = f.NormalVC;
+  hit.FacetNormalVC = f.NormalVC;
+  hit.Fetches = 0;
+  hit.TexelReads = 0;
+  hit.Iterations = 0;
+  return hit;
+}

@@ -1,0 +1,2 @@
+  mesoTextureDx = dFdx(tcoordVCVSOutput);
+  mesoTextureDy = dFdy(tcoordVCVSOutput);

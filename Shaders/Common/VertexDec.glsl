@@ -1,0 +1,18 @@
+// Vertex stage: what the fragments need, in view coordinates (VC).
+// MESO_FRAME: the technique uses the tangent frame of the vertex.
+in vec2 mesoTCoord;
+in vec3 mesoNormal;
+uniform mat4 mesoMCVCMatrix;
+uniform mat3 mesoNormalMatrix;
+out vec3 mesoPositionVCVSOutput;
+out vec2 mesoTCoordVSOutput;
+out vec3 mesoNormalVCVSOutput;
+#ifdef MESO_FRAME
+in vec3 mesoTangent;
+in vec3 mesoBitangent;
+in vec2 mesoTileScale;
+uniform mat3 mesoModelToView; // linear part of model to view, without the buffer's own scale
+out vec3 mesoNormalMCVSOutput;
+out vec3 mesoPerTCoordUVSOutput; // dp/du and dp/dv in VC, per unit of the mesh's own coordinate
+out vec3 mesoPerTCoordVVSOutput;
+#endif

@@ -1,0 +1,12 @@
+// The base mesh, nothing else: the floor that every other technique is measured against.
+
+MesoSurfaceHit traceSurface(MesoFragment f)
+{
+  return baseSurface(f);
+}
+
+float blockedFraction(MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, out int fetches)
+{
+  fetches = 0;
+  return dot(f.NormalVC, lightOutVC) > 0.0 ? 0.0 : 1.0;
+}

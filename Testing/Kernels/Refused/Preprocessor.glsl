@@ -1,0 +1,6 @@
+#define TWICE 2.0 // Refused: a kernel has no preprocessor line
+
+float twice(float x)
+{
+  return TWICE * x;
+}

@@ -1,0 +1,4 @@
+struct Pair // Refused: a struct ends with };
+{
+  float Low;
+} pair;

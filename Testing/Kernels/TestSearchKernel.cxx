@@ -1,0 +1,298 @@
+// searchLinearBinary on the hard maps and rays: exact where a closed form says so, else the hit
+// must lie on the relief to within the last bracket.
+
+#include "KernelTypes.h"
+
+#include <algorithm>
+#include <cmath>
+
+template <typename Kernels>
+class SearchKernel : public KernelTest<Kernels>
+{
+public:
+  using typename KernelTest<Kernels>::Real;
+  using typename KernelTest<Kernels>::Vec2;
+  using typename KernelTest<Kernels>::HeightField;
+
+  static constexpr int LinearSteps = 64;
+  static constexpr int BinarySteps = 7;
+
+  HeightField Constant(float height) const
+  {
+    return HeightField(4, 4, MesoWrap::Repeat, std::vector<float>(16, height));
+  }
+
+  /// Map coordinate per depth of a ray this many degrees off the normal over a relief 0.1 tile
+  /// deep.
+  static Vec2 Slope(double degrees, double azimuth = 0.7)
+  {
+    const double pi = std::acos(-1.);
+    const double run = 0.1 * std::tan(degrees * pi / 180.);
+    return Vec2(Real(run * std::cos(azimuth)), Real(run * std::sin(azimuth)));
+  }
+
+  /// A hit that is on the ray, and on the relief as closely as a last bracket allows in which
+  /// heights differ by 1 from texel to texel.
+  void ExpectOnRelief(const HeightField& field, const Vec2& entry, const Vec2& slope)
+  {
+    const auto hit = field.searchLinearBinary(entry, slope, 0, LinearSteps, BinarySteps);
+    ASSERT_TRUE(hit.Hit);
+    ASSERT_GE(hit.RayDepth, 0);
+    ASSERT_LE(hit.RayDepth, 1);
+    ASSERT_EQ(hit.Relief, hit.RayDepth);
+    ASSERT_EQ(hit.MapCoord, entry + hit.RayDepth * slope);
+    ASSERT_LE(hit.Iterations, LinearSteps + BinarySteps);
+    const double bracket = 1. / (LinearSteps << BinarySteps);
+    const double steepest = 1. + double(std::abs(slope.x)) * field.mapSize().x +
+      double(std::abs(slope.y)) * field.mapSize().y;
+    const double clearance = 1. - double(field.bilinearHeight(hit.MapCoord)) - double(hit.RayDepth);
+    const double rounding =
+      16. * double(this->Epsilon) * steepest * (1. + double(std::abs(entry.x) + std::abs(entry.y)));
+    ASSERT_LE(std::abs(clearance), steepest * bracket + rounding);
+  }
+};
+TYPED_TEST_SUITE(SearchKernel, BothKernels, KernelNames);
+
+TYPED_TEST(SearchKernel, HitsTheTopAtOnceAndExactly)
+{
+  using Vec2 = typename TestFixture::Vec2;
+  const auto field = this->Constant(1.f);
+  for (double degrees : { 0., 60., 89.99 })
+  {
+    const Vec2 entry(this->Random(-5., 5.), this->Random(-5., 5.));
+    const auto hit = field.searchLinearBinary(entry, this->Slope(degrees), 0, 128, 8);
+    EXPECT_TRUE(hit.Hit);
+    EXPECT_EQ(hit.RayDepth, 0);
+    EXPECT_EQ(hit.MapCoord, entry);
+    EXPECT_EQ(hit.Relief, 0);
+    EXPECT_EQ(hit.Iterations, 0);
+    EXPECT_EQ(hit.Fetches, 1);
+  }
+}
+
+TYPED_TEST(SearchKernel, HitsTheBottomExactly)
+{
+  using Vec2 = typename TestFixture::Vec2;
+  const auto field = this->Constant(0.f);
+  for (double degrees : { 0., 60., 89.99 })
+  {
+    const Vec2 entry(this->Random(-5., 5.), this->Random(-5., 5.));
+    for (int steps : { 1, 3, 16, 100, 128 })
+    {
+      const auto hit = field.searchLinearBinary(entry, this->Slope(degrees), 0, steps, 8);
+      EXPECT_TRUE(hit.Hit);
+      EXPECT_EQ(hit.RayDepth, 1);
+      EXPECT_EQ(hit.MapCoord, entry + this->Slope(degrees));
+      EXPECT_EQ(hit.Iterations, steps + 8);
+      EXPECT_EQ(hit.Fetches, 1 + steps + 1 + 8);
+    }
+  }
+}
+
+TYPED_TEST(SearchKernel, HitsFlatGroundUpToRounding)
+{
+  using Vec2 = typename TestFixture::Vec2;
+  for (float height : { 0.1f, 0.5f, 0.63f, 0.99f })
+  {
+    const auto field = this->Constant(height);
+    for (double degrees : { 0., 60., 89.99 })
+    {
+      const auto hit = field.searchLinearBinary(Vec2(0), this->Slope(degrees), 0, 16, 5);
+      EXPECT_TRUE(hit.Hit);
+      EXPECT_NEAR(hit.RayDepth, 1. - double(height), 2. * double(this->Epsilon));
+    }
+  }
+}
+
+TYPED_TEST(SearchKernel, StartsBelowTheSurfaceWhereItStands)
+{
+  using Vec2 = typename TestFixture::Vec2;
+  using Real = typename TestFixture::Real;
+  const auto field = this->Constant(0.8f);
+  const Vec2 entry(Real(0.3), Real(-7.25));
+  for (double start : { 0.2 + 1e-6, 0.5, 1. })
+  {
+    const auto hit = field.searchLinearBinary(entry, this->Slope(60.), Real(start), 16, 5);
+    EXPECT_TRUE(hit.Hit);
+    EXPECT_EQ(hit.RayDepth, Real(start));
+    EXPECT_EQ(hit.Relief, Real(start));
+    EXPECT_EQ(hit.MapCoord, entry);
+    EXPECT_EQ(hit.Iterations, 0);
+  }
+  const auto later = field.searchLinearBinary(entry, this->Slope(60.), Real(0.1), 16, 5);
+  EXPECT_NEAR(later.RayDepth, 0.2, 1e-6);
+  EXPECT_NEAR(later.MapCoord.x, entry.x + Real(0.1) * this->Slope(60.).x, 1e-6);
+}
+
+TYPED_TEST(SearchKernel, FindsTheStepOfAWallByHand)
+{
+  using Vec2 = typename TestFixture::Vec2;
+  using Real = typename TestFixture::Real;
+  // Depth 1 left of u = 0.5, 0 right of it, with a wall one texel wide (1/8) between centres at
+  // 7/16 and 9/16: depth = (9/16 - u) * 8 there. A ray from u = 1/4 with 1/2 a depth meets it where
+  // s = (9/16 - 1/4 - s/2) * 8, so s = 1/2, u = 1/2.
+  std::vector<float> heights;
+  for (int i = 0; i < 8; ++i)
+  {
+    heights.push_back(i < 4 ? 0.f : 1.f);
+  }
+  const typename TestFixture::HeightField field(8, 1, MesoWrap::Clamp, heights);
+  const auto hit = field.searchLinearBinary({ Real(0.25), Real(0.5) }, { Real(0.5), 0 }, 0, 128, 8);
+  EXPECT_TRUE(hit.Hit);
+  EXPECT_NEAR(hit.RayDepth, 0.5, 4. * double(this->Epsilon));
+  EXPECT_NEAR(hit.MapCoord.x, 0.5, 4. * double(this->Epsilon));
+  // From the other side the wall's top is met at once.
+  EXPECT_EQ(field.searchLinearBinary({ Real(0.75), 0 }, { Real(-0.5), 0 }, 0, 128, 8).RayDepth, 0);
+  EXPECT_EQ(field.searchLinearBinary(Vec2(0, 0), Vec2(0, 0), 0, 128, 8).RayDepth, 1);
+}
+
+TYPED_TEST(SearchKernel, StandsOnEveryHardMap)
+{
+  using Vec2 = typename TestFixture::Vec2;
+  struct Map
+  {
+    int Width;
+    int Height;
+    std::vector<float> Heights;
+  };
+  std::vector<Map> maps;
+  std::vector<float> spike(32 * 32, 0.f);
+  spike[16 * 32 + 16] = 1.f;
+  maps.push_back({ 32, 32, spike });
+  std::vector<float> slot(32 * 32, 1.f);
+  slot[16 * 32 + 16] = 0.f;
+  maps.push_back({ 32, 32, slot });
+  std::vector<float> checkerboard;
+  for (int i = 0; i < 16 * 16; ++i)
+  {
+    checkerboard.push_back(float((i / 16 + i % 16) % 2));
+  }
+  maps.push_back({ 16, 16, checkerboard });
+  maps.push_back({ 1, 1, { 0.4f } });
+  maps.push_back({ 1, 9, this->RandomHeights(9) });
+  maps.push_back({ 9, 1, this->RandomHeights(9) });
+  maps.push_back({ 37, 23, this->RandomHeights(37 * 23) });
+  for (const Map& map : maps)
+  {
+    for (MesoWrap wrap : AllWraps)
+    {
+      typename TestFixture::HeightField field(map.Width, map.Height, wrap, map.Heights);
+      for (int bits : { 0, 8 }) // of the sampler, which the hit must not depend on
+      {
+        field.SetWeightBits(bits);
+        for (double degrees : { 0., 30., 60., 85., 89.9, 89.99 })
+        {
+          for (int run = 0; run < 40; ++run)
+          {
+            const Vec2 entry(this->Random(-1., 2.), this->Random(-1., 2.));
+            this->ExpectOnRelief(field, entry, this->Slope(degrees, this->Random(0., 6.28)));
+            if (this->HasFatalFailure())
+            {
+              FAIL() << map.Width << " x " << map.Height << ", wrap " << int(wrap) << ", "
+                     << degrees << " degrees, entry " << entry.x << " " << entry.y;
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(SearchKernel, FindsSpikeAndSlotStraightDown)
+{
+  using Real = typename TestFixture::Real;
+  using Vec2 = typename TestFixture::Vec2;
+  for (float ground : { 0.f, 1.f })
+  {
+    std::vector<float> heights(32 * 32, ground);
+    heights[16 * 32 + 16] = 1.f - ground;
+    const typename TestFixture::HeightField field(32, 32, MesoWrap::Repeat, heights);
+    for (int run = 0; run < 500; ++run)
+    {
+      const Vec2 uv(this->Random(15. / 32., 18. / 32.), this->Random(15. / 32., 18. / 32.));
+      const auto hit = field.searchLinearBinary(uv, Vec2(0), 0, 16, 5);
+      ASSERT_TRUE(hit.Hit);
+      ASSERT_NEAR(hit.RayDepth, Real(1) - field.bilinearHeight(uv), 4 * this->Epsilon);
+    }
+  }
+}
+
+TYPED_TEST(SearchKernel, TakesTheNearerOfTwoWalls)
+{
+  using Real = typename TestFixture::Real;
+  std::vector<float> heights(32, 0.f);
+  heights[8] = 1.f;
+  heights[20] = 1.f;
+  const typename TestFixture::HeightField field(32, 1, MesoWrap::Repeat, heights);
+  // Both walls stand in the way of a ray that runs one tile while it sinks; the first is met.
+  const auto hit = field.searchLinearBinary({ 0, 0 }, { Real(1), 0 }, 0, 128, 8);
+  EXPECT_GT(hit.MapCoord.x, 7.5 / 32.);
+  EXPECT_LT(hit.MapCoord.x, 8.5 / 32.);
+}
+
+TYPED_TEST(SearchKernel, GoesOnExactlyThousandsOfTilesAway)
+{
+  using Real = typename TestFixture::Real;
+  using Vec2 = typename TestFixture::Vec2;
+  const int size = 64;
+  const typename TestFixture::HeightField field(
+    size, size, MesoWrap::Repeat, this->RandomHeights(size * size));
+  std::uniform_int_distribution<int> part(0, 511);
+  for (int run = 0; run < 300; ++run)
+  {
+    const Vec2 entry(Real(part(this->Generator)) / 512, Real(part(this->Generator)) / 512);
+    const auto here = field.searchLinearBinary(entry, this->Slope(60.), 0, 64, 7);
+    const auto there =
+      field.searchLinearBinary(entry + Vec2(10000, -10000), this->Slope(60.), 0, 64, 7);
+    ASSERT_EQ(here.RayDepth, there.RayDepth);
+    // The sum itself is what a float makes of it.
+    ASSERT_NEAR(there.MapCoord.x - 10000, here.MapCoord.x, 10001 * double(this->Epsilon));
+  }
+}
+
+TYPED_TEST(SearchKernel, TakesNoRayThatIsNotFinite)
+{
+  using Real = typename TestFixture::Real;
+  using Vec2 = typename TestFixture::Vec2;
+  const typename TestFixture::HeightField field(8, 8, MesoWrap::Repeat, this->RandomHeights(64));
+  for (double odd : { NotANumber, Infinite, -Infinite })
+  {
+    for (int argument = 0; argument < 5; ++argument)
+    {
+      Real numbers[5] = { Real(0.1), Real(0.2), Real(0.3), Real(0.4), 0 };
+      numbers[argument] = Real(odd);
+      const auto hit = field.searchLinearBinary(
+        { numbers[0], numbers[1] }, { numbers[2], numbers[3] }, numbers[4], 128, 8);
+      EXPECT_FALSE(hit.Hit);
+      EXPECT_EQ(hit.RayDepth, 0);
+      EXPECT_EQ(hit.MapCoord, Vec2(0));
+      EXPECT_EQ(hit.Relief, 0);
+      EXPECT_EQ(hit.Fetches, 0);
+    }
+  }
+  // A map with holes of NaN: the result is finite, hit or not.
+  std::vector<float> heights = this->RandomHeights(64);
+  for (std::size_t i = 0; i < heights.size(); i += 3)
+  {
+    heights[i] = float(NotANumber);
+  }
+  const typename TestFixture::HeightField holes(8, 8, MesoWrap::Repeat, heights);
+  for (int run = 0; run < 500; ++run)
+  {
+    const auto hit = holes.searchLinearBinary(
+      { this->Random(0., 1.), this->Random(0., 1.) }, this->Slope(60.), 0, 32, 6);
+    ASSERT_TRUE(std::isfinite(hit.RayDepth + hit.MapCoord.x + hit.MapCoord.y + hit.Relief));
+  }
+}
+
+TYPED_TEST(SearchKernel, TakesAnyNumberOfSteps)
+{
+  const auto field = this->Constant(0.5f);
+  for (int steps : { -1, 0, 1 })
+  {
+    const auto hit = field.searchLinearBinary({ 0, 0 }, { 0, 0 }, 0, steps, -1);
+    EXPECT_TRUE(hit.Hit);
+    EXPECT_NEAR(hit.RayDepth, 0.5, 2. * double(this->Epsilon));
+    EXPECT_EQ(hit.Iterations, 1);
+  }
+}
