@@ -7,11 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <thread>
 
 namespace
 {
@@ -83,10 +81,10 @@ TEST(Exr, KeepsAttributesAndGivesTheSameBytes)
   const MesoExrAttributes attributes = { { "meso.depth", 0.1 },
     { "meso.technique", std::string("relief") } };
   MesoWriteExr(folder.PathOf("a.exr"), 2, 2, { "depth" }, values.data(), attributes);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // a time stamp would change
   MesoWriteExr(folder.PathOf("b.exr"), 2, 2, { "depth" }, values.data(), attributes);
   EXPECT_EQ(ReadBytes(folder.PathOf("a.exr")), ReadBytes(folder.PathOf("b.exr")));
   const auto read = MesoReadExr(folder.PathOf("a.exr")).Attributes;
+  EXPECT_TRUE(!read.count("DateTime") || std::get<std::string>(read.at("DateTime")).empty());
   EXPECT_EQ(std::get<double>(read.at("meso.depth")), 0.1);
   EXPECT_EQ(std::get<std::string>(read.at("meso.technique")), "relief");
 }
