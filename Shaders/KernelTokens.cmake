@@ -202,6 +202,7 @@ macro (declare p file)
         refuse("${file}" ${${p}_L_${first}} "prototype of ${name}: define it before its use")
       else ()
         refuse("${file}" ${${p}_L_${first}} "function ${name} has no body")
+        set(i ${close})
       endif ()
     else ()
       if (NOT ${p}_T_${second} STREQUAL "[") # an array: its own rule speaks

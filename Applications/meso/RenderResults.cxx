@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace
@@ -42,7 +43,8 @@ double RadicalInverse(int index, int base)
 void ReadPixels(vtkMesoEGLRenderWindow* window, vtkUnsignedCharArray* pixels)
 {
   const int* size = window->GetSize();
-  if (window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels) == 0)
+  vtkRenderWindow* reader = window; // whose overloads the window hides
+  if (reader->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels) == VTK_ERROR)
   {
     throw MesoInputError("the picture could not be read back from the device");
   }
@@ -97,8 +99,9 @@ void WritePicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int sam
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  MesoAtomicFile::Write(
-    fileName, bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  MesoWriteFile(fileName,
+    std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
+      static_cast<std::size_t>(bytes->GetNumberOfValues())));
 }
 
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
@@ -143,7 +146,7 @@ std::vector<std::string> ChannelsOfGroups(
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
   const MesoSceneBuilder& builder, const std::string& fileName)
 {
-  MesoExrAttributes attributes;
+  std::map<std::string, MesoImageAttribute> attributes;
   for (const auto& object : builder.GetObjects())
   {
     const std::string prefix = "meso." + std::to_string(object.Number) + ".";
@@ -217,6 +220,5 @@ void WriteStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   stats["triangles"] = triangles;
   stats["device"] = window->GetGLRenderer();
   stats["version"] = MESO_VERSION;
-  const std::string text = stats.dump(2) + "\n";
-  MesoAtomicFile::Write(fileName, text.data(), text.size());
+  MesoWriteFile(fileName, stats.dump(2) + "\n");
 }

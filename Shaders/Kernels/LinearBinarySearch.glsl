@@ -58,12 +58,10 @@ HeightHit searchLinearBinary(
   vec2 base = mapEntry - wholeTiles(mapEntry);
   int steps = max(linearSteps, 1);
   float stepDepth = (1.0 - depthStart) / float(steps);
-  float depthAbove = depthStart; // the bracket: above is outside, inside is not
   float depthInside = depthStart;
-  float clearanceAbove = exactClearance(base, depthStart);
-  float clearanceInside = clearanceAbove;
+  float clearanceInside = exactClearance(base, depthStart);
   hit.Fetches = 1;
-  hit.Hit = clearanceAbove <= 0.0;
+  hit.Hit = clearanceInside <= 0.0;
 
   if (!hit.Hit)
   {
@@ -86,13 +84,30 @@ HeightHit searchLinearBinary(
           break;
         }
       }
-      depthAbove = s;
-      clearanceAbove = clearance;
     }
     if (!hit.Hit)
     {
       return hit;
     }
+
+    // The near end of the bracket: the step before, or an earlier one where the sampler was wrong
+    // about that; the start is known to be outside.
+    int above = hit.Iterations;
+    float depthAbove;
+    float clearanceAbove;
+    do
+    {
+      above -= 1;
+      depthAbove = depthStart + float(above) * stepDepth;
+      clearanceAbove = exactClearance(base + (depthAbove - depthStart) * mapPerDepth, depthAbove);
+      hit.Fetches += 1;
+      if (clearanceAbove <= 0.0)
+      {
+        depthInside = depthAbove;
+        clearanceInside = clearanceAbove;
+      }
+    } while (clearanceAbove <= 0.0 && above > 0);
+
     for (int i = 0; i < binarySteps; ++i)
     {
       float s = 0.5 * (depthAbove + depthInside);

@@ -77,14 +77,14 @@ TYPED_TEST(SearchKernel, HitsTheBottomExactly)
   for (double degrees : { 0., 60., 89.99 })
   {
     const Vec2 entry(this->Random(-5., 5.), this->Random(-5., 5.));
-    for (int steps : { 1, 3, 16, 100, 128 })
+    for (int steps = 1; steps <= 128; ++steps) // for some, steps * (1 / steps) is not 1
     {
       const auto hit = field.searchLinearBinary(entry, this->Slope(degrees), 0, steps, 8);
       EXPECT_TRUE(hit.Hit);
       EXPECT_EQ(hit.RayDepth, 1);
       EXPECT_EQ(hit.MapCoord, entry + this->Slope(degrees));
       EXPECT_EQ(hit.Iterations, steps + 8);
-      EXPECT_EQ(hit.Fetches, 1 + steps + 1 + 8);
+      EXPECT_EQ(hit.Fetches, 1 + steps + 2 + 8);
     }
   }
 }
@@ -144,6 +144,30 @@ TYPED_TEST(SearchKernel, FindsTheStepOfAWallByHand)
   // From the other side the wall's top is met at once.
   EXPECT_EQ(field.searchLinearBinary({ Real(0.75), 0 }, { Real(-0.5), 0 }, 0, 128, 8).RayDepth, 0);
   EXPECT_EQ(field.searchLinearBinary(Vec2(0, 0), Vec2(0, 0), 0, 128, 8).RayDepth, 1);
+}
+
+TYPED_TEST(SearchKernel, FindsTheSameFromFurtherAlongTheRay)
+{
+  using Real = typename TestFixture::Real;
+  using Vec2 = typename TestFixture::Vec2;
+  // A slope down from 1 to 0.5, so that each ray meets it once.
+  std::vector<float> heights;
+  for (int i = 0; i < 16; ++i)
+  {
+    heights.push_back(1.f - float(i) / 32.f);
+  }
+  const typename TestFixture::HeightField field(16, 1, MesoWrap::Clamp, heights);
+  for (int run = 0; run < 500; ++run)
+  {
+    const Vec2 entry(this->Random(0.1, 0.9), 0);
+    const Vec2 slope(this->Random(0.1, 1.), this->Random(-9., 9.));
+    const auto whole = field.searchLinearBinary(entry, slope, 0, 128, 8);
+    const Real start = Real(0.9) * whole.RayDepth;
+    const auto part = field.searchLinearBinary(entry + start * slope, slope, start, 128, 8);
+    ASSERT_TRUE(part.Hit);
+    ASSERT_NEAR(part.RayDepth, whole.RayDepth, 64. * double(this->Epsilon));
+    ASSERT_NEAR(part.MapCoord.x, whole.MapCoord.x, 64. * double(this->Epsilon));
+  }
 }
 
 TYPED_TEST(SearchKernel, StandsOnEveryHardMap)

@@ -79,7 +79,7 @@ TEST_F(EGLRenderWindow, IsMadeOnDemand)
   EXPECT_EQ(this->Window->GetColorBufferSizes(nullptr), 0);
   int bits[4];
   EXPECT_EQ(this->Window->GetColorBufferSizes(bits), 32);
-  EXPECT_EQ(this->Window->GetDepthBufferSize(), 24);
+  EXPECT_EQ(this->Window->GetDepthBufferSize(), 32);
 }
 
 TEST_F(EGLRenderWindow, Resizes)
@@ -222,7 +222,7 @@ TEST_F(EGLRenderWindow, ReadsColourAlphaAndDepth)
   ASSERT_EQ(this->Window->GetZbufferData(0, 0, 40, 40, depth), VTK_OK);
   EXPECT_EQ(depth->GetValue(0), 1.f);
   // In a parallel projection depth is linear between the clipping planes; the ball's top is at
-  // z = 1, 9 from the camera. 24 bits, and the sphere's facets: a thousandth of its radius.
+  // z = 1, 9 from the camera. 32 bits, and the sphere's facets: a thousandth of its radius.
   const double* range = this->Scene.Renderer->GetActiveCamera()->GetClippingRange();
   const double distance = range[0] + depth->GetValue(20 * 41 + 20) * (range[1] - range[0]);
   EXPECT_NEAR(distance, 9., 1e-3);

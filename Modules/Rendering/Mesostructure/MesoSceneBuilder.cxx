@@ -226,12 +226,20 @@ vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeHeightMap(
     Run(reader, place, this->Warnings);
     stored = reader->GetOutput();
   }
-  const MesoHeights heights = MesoToHeights(stored, map.IsDepth, map.Range);
-  for (const std::string& warning : heights.Warnings)
+  try
   {
-    this->Warnings.push_back(place + ": " + warning);
+    const MesoHeights heights = MesoToHeights(stored, map.IsDepth, map.Range);
+    for (const std::string& note : heights.Notes)
+    {
+      this->Warnings.push_back(place + ": " + note);
+    }
+    return heights.Image;
   }
-  return heights.Image;
+  catch (const MesoInputError& problem)
+  {
+    throw MesoInputError(place + ": " + (map.File.empty() ? map.Pattern : map.File) + ": " +
+      problem.what());
+  }
 }
 
 vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(const MesoSceneNode& node,

@@ -281,7 +281,7 @@ int vtkMesoEGLRenderWindow::GetColorBufferSizes(int* rgba)
 
 int vtkMesoEGLRenderWindow::GetDepthBufferSize()
 {
-  return 24;
+  return 32;
 }
 
 void* vtkMesoEGLRenderWindow::GetGenericDisplayId()

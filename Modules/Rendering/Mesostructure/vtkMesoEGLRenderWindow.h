@@ -6,7 +6,7 @@
  * @brief Render off screen through EGL, with no display server.
  *
  * An off-screen vtkOpenGLRenderWindow on an OpenGL context (core profile, 3.2 or newer) of its own.
- * It draws into VTK's framebuffer objects (RGBA8, 24 bits of depth); there is no framebuffer 0 and
+ * It draws into VTK's framebuffer objects (RGBA8, 32 bits of depth); there is no framebuffer 0 and
  * nothing is ever shown. Size, MSAA (VTK lowers MultiSamples to what the driver has), several
  * windows side by side, Finalize and a later Render work as with any VTK window.
  *

@@ -1,0 +1,3 @@
+float twice(float x)
+{ // Refused: bracket without a partner
+  return 2.0 * x;

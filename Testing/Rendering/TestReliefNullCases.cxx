@@ -1,0 +1,157 @@
+// Relief without relief is the base mesh: D = 0, a depth map that is 0 everywhere, no map at all, and
+// an input that lacks frames (with one warning that says what to add).
+
+#include "MesoBaseline.h"
+#include "MesoExpectedMessages.h"
+#include "MesoTestScene.h"
+
+#include "vtkMesoReliefMapper.h"
+
+#include "vtkPointData.h"
+#include "vtkTexture.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+class ReliefNullCases : public testing::Test
+{
+protected:
+  MesoTestScene Scene;
+  vtkNew<vtkMesoPolyDataMapper> Plain;
+  vtkNew<vtkMesoReliefMapper> Relief;
+
+  void SetUp() override
+  {
+    const auto torus = MesoTestScene::Shape("torus");
+    this->Plain->SetInputData(torus);
+    this->Relief->SetInputData(torus);
+    this->Relief->SetHeightMap(MesoTestScene::Pattern("brick"));
+    this->Relief->SetScale(0.1);
+    this->Relief->SetTiles(6., 3.);
+    this->Scene.AddDirectionalLight(-1., -2., -1.);
+    this->Scene.AddHeadlight();
+    this->Scene.Actor->GetProperty()->SetSpecular(0.3);
+    this->Scene.Actor->GetProperty()->SetSpecularPower(20.);
+    this->Scene.LookFrom(1., 3., 5.);
+  }
+
+  MesoImageDifference Compare(const MesoImageLimits& limits)
+  {
+    this->Scene.Actor->SetMapper(this->Plain);
+    const auto plain = MesoGrabWindow(this->Scene.Window);
+    this->Scene.Actor->SetMapper(this->Relief);
+    return MesoCompareImages(MesoGrabWindow(this->Scene.Window), plain, limits);
+  }
+};
+}
+
+TEST_F(ReliefNullCases, ReliefIsSeenAtAll)
+{
+  EXPECT_FALSE(this->Compare({}).Within);
+}
+
+TEST_F(ReliefNullCases, ZeroScale)
+{
+  this->Relief->SetScale(0.);
+  const auto difference = this->Compare(MesoImageLimits::Exact());
+  EXPECT_TRUE(difference.Within) << difference.Describe();
+}
+
+TEST_F(ReliefNullCases, DepthMapOfZero)
+{
+  this->Relief->SetHeightMap(MesoTestScene::Constant(1.f));
+  const auto difference = this->Compare(MesoImageLimits::Exact());
+  EXPECT_TRUE(difference.Within) << difference.Describe();
+}
+
+TEST_F(ReliefNullCases, DepthMapOfZeroTextured)
+{
+  this->Relief->SetHeightMap(MesoTestScene::Constant(1.f));
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const unsigned char colours[] = { 250, 20, 20, 20, 250, 20, 20, 20, 250, 250, 250, 20 };
+  std::copy(std::begin(colours), std::end(colours),
+    static_cast<unsigned char*>(image->GetScalarPointer()));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  this->Scene.Actor->SetTexture(texture);
+  const auto difference = this->Compare(MesoImageLimits::Exact());
+  EXPECT_TRUE(difference.Within) << difference.Describe();
+}
+
+TEST_F(ReliefNullCases, NoHeightMap)
+{
+  this->Relief->SetHeightMap(nullptr);
+  const auto difference = this->Compare(MesoImageLimits::Exact());
+  EXPECT_TRUE(difference.Within) << difference.Describe();
+}
+
+TEST_F(ReliefNullCases, NoEffects)
+{
+  MesoMesostructureOptions options = this->Relief->GetOptions();
+  options.Effects.Auto = false;
+  this->Relief->SetOptions(options);
+  const auto difference = this->Compare(MesoImageLimits::Exact());
+  EXPECT_TRUE(difference.Within) << difference.Describe();
+  EXPECT_TRUE(this->Relief->GetEffectsDrawn().Empty());
+}
+
+TEST_F(ReliefNullCases, MissingFramesAreSaidOnce)
+{
+  this->Relief->GetInput()->GetPointData()->RemoveArray("MesoTangent");
+  MesoExpectedMessages expected("lacks MesoTangent");
+  const auto difference = this->Compare(MesoImageLimits::Exact());
+  EXPECT_TRUE(difference.Within) << difference.Describe();
+  this->Scene.Window->Render();
+  EXPECT_EQ(expected.GetCount(), 1);
+}
+
+TEST_F(ReliefNullCases, AnotherWindowAndBackAgain)
+{
+  this->Scene.Actor->SetMapper(this->Relief);
+  const auto first = MesoGrabWindow(this->Scene.Window);
+  {
+    MesoTestScene other;
+    other.Actor->SetMapper(this->Relief);
+    other.AddDirectionalLight(-1., -2., -1.);
+    other.LookFrom(1., 3., 5.);
+    other.Window->Render();
+  }
+  const auto again = MesoGrabWindow(this->Scene.Window);
+  EXPECT_TRUE(MesoCompareImages(again, first, MesoImageLimits::Exact()).Within);
+}
+
+TEST_F(ReliefNullCases, OptionsTakeEffectBetweenFrames)
+{
+  this->Scene.Actor->SetMapper(this->Relief);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(this->Relief->GetEffectsDrawn().Has(MesoEffect::SelfShadow));
+  MesoMesostructureOptions options = this->Relief->GetOptions();
+  options.Effects.Auto = false;
+  options.Effects.Named = { MesoEffect::Shading };
+  this->Relief->SetOptions(options);
+  const auto shading = MesoGrabWindow(this->Scene.Window);
+  EXPECT_EQ(this->Relief->GetEffectsDrawn(), MesoEffects({ MesoEffect::Shading }));
+  this->Relief->SetHeightMap(MesoTestScene::Pattern("noise"));
+  const auto noise = MesoGrabWindow(this->Scene.Window);
+  EXPECT_FALSE(MesoCompareImages(noise, shading).Within) << "the new map is not seen";
+}
+
+TEST_F(ReliefNullCases, WrongOptionsAreRefused)
+{
+  MesoMesostructureOptions options = this->Relief->GetOptions();
+  options.Scale = -1.;
+  {
+    MesoExpectedMessages expected("Scale must be at least 0");
+    this->Relief->SetOptions(options);
+  }
+  EXPECT_EQ(this->Relief->GetScale(), 0.1);
+  MesoExpectedMessages expected("does not provide the effect shading");
+  options.Scale = 0.1;
+  options.Effects.Auto = false;
+  options.Effects.Named = { MesoEffect::Shading };
+  this->Plain->SetOptions(options);
+}
