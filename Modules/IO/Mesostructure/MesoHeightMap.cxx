@@ -122,11 +122,11 @@ MesoHeights MesoToHeights(
   }
   if (findings.ChannelDifference > LargestGreyDifference * work.TypeRange)
   {
-    heights.Warnings.push_back("the map is not grey; its first channel is taken");
+    heights.Warnings.emplace_back("the map is not grey; its first channel is taken");
   }
   if (findings.HasAlpha)
   {
-    heights.Warnings.push_back("the map's alpha channel is not used");
+    heights.Warnings.emplace_back("the map's alpha channel is not used");
   }
   return heights;
 }

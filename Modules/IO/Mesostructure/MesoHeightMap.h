@@ -30,8 +30,8 @@ struct MesoHeights
  * (brighter is higher), h = 1 - v for a depth map (brighter is deeper). Computed in double.
  *
  * @param map a plane image of unsigned char, unsigned short or float; the first component is taken,
- *   with a warning where second or third (not alpha) differ from it by more than 8/255 of the type's
- *   range, as in a picture that is not grey
+ *   with a warning where the second or third differs from it by more than 8/255 of white, as in a
+ *   picture that is not grey
  * @param isDepth a depth map
  * @param range [lo, hi], lo < hi, in stored numbers; by default [0, 255], [0, 65535] and [0, 1] for
  *   unsigned char, unsigned short and float

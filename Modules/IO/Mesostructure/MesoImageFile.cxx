@@ -149,7 +149,7 @@ MesoImageInput::MesoImageInput(const std::string& fileName)
   }
   if (input->seek_subimage(1, 0))
   {
-    this->Description.Notes.push_back("holds several images, of which the first is taken");
+    this->Description.Notes.emplace_back("holds several images, of which the first is taken");
   }
   input->geterror(); // that there is no second image is no error
   if (!input->seek_subimage(0, 0))

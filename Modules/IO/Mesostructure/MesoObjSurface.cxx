@@ -162,7 +162,7 @@ private:
     this->HasTexture = without.Count < this->File.NumberOfFaces();
     if (!this->HasTexture)
     {
-      this->Surface.Notes.push_back("has no texture coordinates");
+      this->Surface.Notes.emplace_back("has no texture coordinates");
       return;
     }
     without.Report(

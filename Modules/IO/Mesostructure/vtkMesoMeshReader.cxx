@@ -76,7 +76,7 @@ vtkSmartPointer<vtkDataArray> MakeFloatOrDouble(const std::vector<std::array<dou
 vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::array<std::int32_t, 3>>& triangles)
 {
   vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(triangles.size() * 3));
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(triangles.size()) * 3);
   vtkIdType* target = connectivity->GetPointer(0);
   for (const auto& triangle : triangles)
   {
