@@ -64,7 +64,7 @@ TEST(HeightMap, DefaultRangesByType)
   for (const auto& heights : { bytes, shorts, floats })
   {
     EXPECT_EQ(heights.NumberOfClamped, 0);
-    EXPECT_TRUE(heights.Notes.empty());
+    EXPECT_TRUE(heights.Warnings.empty());
     EXPECT_EQ(heights.Image->GetScalarType(), VTK_FLOAT);
     EXPECT_EQ(heights.Image->GetNumberOfScalarComponents(), 1);
     EXPECT_EQ(heights.Image->GetSpacing()[1], 0.25);
@@ -93,7 +93,7 @@ TEST(HeightMap, RangeIsInStoredNumbersAndClampingIsCounted)
   EXPECT_EQ(HeightAt(shorts, 3), 0.f);
   EXPECT_EQ(HeightAt(shorts, 4), 1.f);
   EXPECT_EQ(shorts.NumberOfClamped, 2);
-  EXPECT_EQ(shorts.Notes,
+  EXPECT_EQ(shorts.Warnings,
     (std::vector<std::string>{ "2 of 5 values lie outside the range [236, "
                                "1076] and are set to its ends" }));
   const auto floats = MesoToHeights(MakeMap<float>(VTK_FLOAT, 1, Floats{ -646.f, 564.f }), true,
@@ -108,19 +108,19 @@ TEST(HeightMap, ColorChannelsAndAlpha)
   const auto grey =
     MesoToHeights(MakeMap<unsigned char>(VTK_UNSIGNED_CHAR, 3, Bytes{ 100, 108, 92 }), false);
   EXPECT_EQ(HeightAt(grey, 0), float(100. / 255.));
-  EXPECT_TRUE(grey.Notes.empty());
+  EXPECT_TRUE(grey.Warnings.empty());
   const auto color =
     MesoToHeights(MakeMap<unsigned char>(VTK_UNSIGNED_CHAR, 3, Bytes{ 100, 100, 109 }), false);
   EXPECT_EQ(HeightAt(color, 0), float(100. / 255.));
-  ASSERT_EQ(color.Notes.size(), 1u);
-  EXPECT_NE(color.Notes[0].find("is not grey"), std::string::npos);
+  ASSERT_EQ(color.Warnings.size(), 1u);
+  EXPECT_NE(color.Warnings[0].find("is not grey"), std::string::npos);
   const auto opaque =
     MesoToHeights(MakeMap<unsigned char>(VTK_UNSIGNED_CHAR, 4, Bytes{ 9, 9, 9, 255 }), false);
-  EXPECT_TRUE(opaque.Notes.empty());
+  EXPECT_TRUE(opaque.Warnings.empty());
   const auto veiled =
     MesoToHeights(MakeMap<unsigned char>(VTK_UNSIGNED_CHAR, 2, Bytes{ 9, 200 }), false);
-  ASSERT_EQ(veiled.Notes.size(), 1u);
-  EXPECT_NE(veiled.Notes[0].find("alpha"), std::string::npos);
+  ASSERT_EQ(veiled.Warnings.size(), 1u);
+  EXPECT_NE(veiled.Warnings[0].find("alpha"), std::string::npos);
 }
 
 TEST(HeightMap, Refusals)

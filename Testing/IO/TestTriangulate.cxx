@@ -45,12 +45,16 @@ TEST(Triangulate, QuadsTakeTheDiagonalInside)
   std::vector<int> triangles;
   EXPECT_TRUE(MesoTriangulate({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, triangles));
   EXPECT_EQ(triangles, (std::vector<int>{ 0, 1, 2, 0, 2, 3 }));
-  const Polygon arrow = { { 0, 0, 0 }, { 2, -1, 0 }, { 0.5, 0, 0 }, { 2, 1, 0 } };
-  for (int turn = 0; turn < 4; ++turn)
+  // Of the first the diagonal inside is the shorter one, of the second the longer one.
+  for (const Polygon& arrow : { Polygon{ { 0, 0, 0 }, { 2, -1, 0 }, { 0.5, 0, 0 }, { 2, 1, 0 } },
+         Polygon{ { -5, 0, 0 }, { 1, -0.5, 0 }, { 0.5, 0, 0 }, { 1, 0.5, 0 } } })
   {
-    Polygon turned = arrow;
-    std::rotate(turned.begin(), turned.begin() + turn, turned.end());
-    ExpectSoundCut(turned);
+    for (int turn = 0; turn < 4; ++turn)
+    {
+      Polygon turned = arrow;
+      std::rotate(turned.begin(), turned.begin() + turn, turned.end());
+      ExpectSoundCut(turned);
+    }
   }
   triangles.clear();
   MesoTriangulate({ { 0, 0, 0 }, { 1, 0, 0 }, { 3, 1, 0 }, { 0, 1, 0 } }, triangles);

@@ -61,11 +61,11 @@ void MesoAtomicFile::Commit()
   this->Committed = true;
 }
 
-void MesoWriteFile(const std::string& fileName, const std::string& bytes)
+void MesoAtomicFile::Write(const std::string& fileName, const void* bytes, std::size_t size)
 {
   MesoAtomicFile atomic(fileName);
   std::ofstream file(atomic.TemporaryName(), std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
   file.close();
   if (!file)
   {

@@ -8,6 +8,7 @@
 
 #include "mesoIOMesostructureModule.h" // for export macro
 
+#include <cstddef>
 #include <string>
 
 /**
@@ -30,15 +31,14 @@ public:
   /// Throws MesoInputError where the file was not written or cannot be moved.
   void Commit();
 
+  /// Write a whole file of `size` bytes. Throws MesoInputError where that is not possible.
+  static void Write(const std::string& fileName, const void* bytes, std::size_t size);
+
 private:
   std::string Given;
   std::string Target;
   std::string Temporary;
   bool Committed = false;
 };
-
-/// Write a whole file at once. Throws MesoInputError where that is not possible.
-MESOIOMESOSTRUCTURE_EXPORT void MesoWriteFile(
-  const std::string& fileName, const std::string& bytes);
 
 #endif

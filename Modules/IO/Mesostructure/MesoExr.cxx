@@ -55,7 +55,7 @@ std::vector<std::size_t> FindChannels(const std::string& fileName,
 
 void MesoWriteExr(const std::string& fileName, int width, int height,
   const std::vector<std::string>& channelNames, const float* data,
-  const std::map<std::string, MesoImageAttribute>& attributes)
+  const MesoExrAttributes& attributes)
 {
   CheckForWriting(fileName, width, height, channelNames, data);
   MesoAtomicFile atomic(fileName);

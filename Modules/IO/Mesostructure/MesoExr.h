@@ -6,7 +6,10 @@
  * @brief OpenEXR files of named float channels, as AOVs are kept in.
  */
 
-#include "MesoImageFile.h" // for MesoImageAttribute
+#include "MesoImageFile.h" // for MesoImageAttribute and the limits
+
+/// Texts and numbers beside the pixels, by name.
+using MesoExrAttributes = std::map<std::string, MesoImageAttribute>;
 
 /// Channels of a file, row 0 = top, interleaved.
 struct MesoExrImage
@@ -15,7 +18,7 @@ struct MesoExrImage
   int Height = 0;
   std::vector<std::string> ChannelNames;
   std::vector<float> Data; ///< Width * Height * ChannelNames.size(), as in the file: also NaN
-  std::map<std::string, MesoImageAttribute> Attributes;
+  MesoExrAttributes Attributes;
 
   /// A pixel of a channel, by numbers from 0; row 0 is the top.
   float At(int column, int row, std::size_t channel) const
@@ -36,7 +39,7 @@ struct MesoExrImage
  */
 MESOIOMESOSTRUCTURE_EXPORT void MesoWriteExr(const std::string& fileName, int width, int height,
   const std::vector<std::string>& channelNames, const float* data,
-  const std::map<std::string, MesoImageAttribute>& attributes = {});
+  const MesoExrAttributes& attributes = {});
 
 /**
  * Read channels of an OpenEXR file (or another image of float values) by name, in the order given;

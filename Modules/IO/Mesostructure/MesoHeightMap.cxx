@@ -23,7 +23,7 @@ struct Conversion
   float* Heights;
 };
 
-/// Counts of what was met, for the notes.
+/// Counts of what was met, for the warnings.
 struct Findings
 {
   vtkIdType NotFinite = 0;
@@ -116,16 +116,17 @@ MesoHeights MesoToHeights(
   heights.NumberOfClamped = findings.Clamped;
   if (findings.Clamped > 0)
   {
-    heights.Notes.push_back(std::to_string(findings.Clamped) + " of " + std::to_string(work.Count) +
-      " values lie outside the range " + RangeText(work.Range) + " and are set to its ends");
+    heights.Warnings.push_back(std::to_string(findings.Clamped) + " of " +
+      std::to_string(work.Count) + " values lie outside the range " + RangeText(work.Range) +
+      " and are set to its ends");
   }
   if (findings.ChannelDifference > LargestGreyDifference * work.TypeRange)
   {
-    heights.Notes.push_back("the map is not grey; its first channel is taken");
+    heights.Warnings.push_back("the map is not grey; its first channel is taken");
   }
   if (findings.HasAlpha)
   {
-    heights.Notes.push_back("the map's alpha channel is not used");
+    heights.Warnings.push_back("the map's alpha channel is not used");
   }
   return heights;
 }

@@ -21,8 +21,8 @@ struct MesoHeights
 {
   /// One component, float, in [0,1], 0 lowest; size, spacing and origin are those of the map.
   vtkSmartPointer<vtkImageData> Image;
-  vtkIdType NumberOfClamped = 0;  ///< values outside the range, set to its ends
-  std::vector<std::string> Notes; ///< what a user should be told, a line each
+  vtkIdType NumberOfClamped = 0;     ///< values outside the range, set to its ends
+  std::vector<std::string> Warnings; ///< what a user should be told, a line each
 };
 
 /**
@@ -30,7 +30,7 @@ struct MesoHeights
  * (brighter is higher), h = 1 - v for a depth map (brighter is deeper). Computed in double.
  *
  * @param map a plane image of unsigned char, unsigned short or float; the first component is taken,
- *   with a note where second or third (not alpha) differ from it by more than 8/255 of the type's
+ *   with a warning where second or third (not alpha) differ from it by more than 8/255 of the type's
  *   range, as in a picture that is not grey
  * @param isDepth a depth map
  * @param range [lo, hi], lo < hi, in stored numbers; by default [0, 255], [0, 65535] and [0, 1] for
