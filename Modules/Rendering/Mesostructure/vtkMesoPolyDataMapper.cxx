@@ -148,18 +148,16 @@ void vtkMesoPolyDataMapper::SetScale(double scale)
   this->SetOptions(options);
 }
 
-double* vtkMesoPolyDataMapper::GetBounds()
+void vtkMesoPolyDataMapper::ComputeBounds()
 {
-  const double* base = this->Superclass::GetBounds();
-  std::copy(base, base + 6, this->DetailBounds);
-  if (vtkMath::AreBoundsInitialized(base) && this->GetTechnique()->GetShape().Traces)
+  this->Superclass::ComputeBounds();
+  if (vtkMath::AreBoundsInitialized(this->Bounds) && this->GetTechnique()->GetShape().Traces)
   {
     for (int i = 0; i < 6; ++i)
     {
-      this->DetailBounds[i] += i % 2 == 0 ? -this->Options.Scale : this->Options.Scale;
+      this->Bounds[i] += i % 2 == 0 ? -this->Options.Scale : this->Options.Scale;
     }
   }
-  return this->DetailBounds;
 }
 
 void vtkMesoPolyDataMapper::SetTiles(double u, double v)

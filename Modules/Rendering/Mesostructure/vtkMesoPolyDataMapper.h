@@ -71,12 +71,6 @@ public:
   /// Map coordinate = texture coordinate x tiles; each > 0. Default 1, 1.
   void SetTiles(double u, double v);
 
-  ///@{
-  /// Bounds of the mesh and of the detail, which lies at most D away from it.
-  double* GetBounds() VTK_SIZEHINT(6) override;
-  using Superclass::GetBounds;
-  ///@}
-
   /// The effects that the shader of the last frame had compiled in.
   MesoEffects GetEffectsDrawn() const { return this->EffectsDrawn; }
 
@@ -90,6 +84,9 @@ public:
 protected:
   vtkMesoPolyDataMapper();
   ~vtkMesoPolyDataMapper() override;
+
+  /// Bounds of the mesh and of the detail, which lies at most D away from it.
+  void ComputeBounds() override;
 
   using Shaders = std::map<vtkShader::Type, vtkShader*>;
 
@@ -146,7 +143,6 @@ private:
   bool Fallback = false; ///< the technique cannot be drawn in this frame: plain instead
   std::string LastWarning;
   MesoEffects EffectsDrawn;
-  double DetailBounds[6];
   std::map<const vtkOpenGLHelper*, std::string> BuiltKeys;
 };
 
