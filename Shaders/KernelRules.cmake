@@ -29,7 +29,7 @@ set(StageWords uniform attribute varying layout flat noperspective centroid disc
 set(AssignmentOperator "^([-+*/%&|^]|<<|>>)?=$")
 set(Swizzle "^([xyzw]|[rgba]|[stpq])([xyzwrgbastpq]*)$")
 
-# check_raw_line(<file> <line> <text>): what is forbidden even in comments, since VTK finds it there.
+# check_raw_line(<file> <line> <text>): what is forbidden even in comments, where VTK finds it too.
 function (check_raw_line file line text)
   if (text MATCHES "[^\t -~]")
     refuse("${file}" ${line} "not plain ASCII")
@@ -252,7 +252,8 @@ function (check_operator i)
   set(leftStart ${operandStart})
   postfix(${after} TRUE)
   # An int literal is check_number's.
-  if ((left MATCHES "^(vec|mat)" AND operandType STREQUAL "int" AND NOT K_T_${after} MATCHES "^[0-9]")
+  if ((left MATCHES "^(vec|mat)" AND operandType STREQUAL "int" AND
+          NOT K_T_${after} MATCHES "^[0-9]")
       OR (left STREQUAL "int" AND operandType MATCHES "^(vec|mat)" AND
           NOT K_T_${leftStart} MATCHES "^[0-9]"))
     refuse("${KERNEL}" ${K_L_${i}} "${left} ${K_T_${i}} ${operandType}: write float(...)")

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace
@@ -99,9 +98,8 @@ void WritePicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int sam
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  MesoWriteFile(fileName,
-    std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)),
-      static_cast<std::size_t>(bytes->GetNumberOfValues())));
+  MesoAtomicFile::Write(
+    fileName, bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
 }
 
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
@@ -146,7 +144,7 @@ std::vector<std::string> ChannelsOfGroups(
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
   const MesoSceneBuilder& builder, const std::string& fileName)
 {
-  std::map<std::string, MesoImageAttribute> attributes;
+  MesoExrAttributes attributes;
   for (const auto& object : builder.GetObjects())
   {
     const std::string prefix = "meso." + std::to_string(object.Number) + ".";
@@ -220,5 +218,6 @@ void WriteStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   stats["triangles"] = triangles;
   stats["device"] = window->GetGLRenderer();
   stats["version"] = MESO_VERSION;
-  MesoWriteFile(fileName, stats.dump(2) + "\n");
+  const std::string text = stats.dump(2) + "\n";
+  MesoAtomicFile::Write(fileName, text.data(), text.size());
 }

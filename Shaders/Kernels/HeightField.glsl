@@ -75,7 +75,7 @@ vec2 wholeTiles(vec2 uv)
 }
 
 // The patch of four texel centres around a map coordinate. low: its lower left texel, not wrapped,
-// in [-1,n-1] (mirror: [-1,2n-1]). Result: where uv lies in the patch, [0,1]. NaN and Inf count as 0.
+// in [-1,n-1] (mirror: [-1,2n-1]). Result: where uv lies in the patch, [0,1]. NaN counts as 0.
 vec2 patchAt(vec2 uv, out ivec2 low)
 {
   vec2 inTile = uv - wholeTiles(uv);

@@ -32,7 +32,8 @@ void acceptedFill(out float values[3], inout vec2 last, in int count)
   float local[3];
   for (int i = 0; i < 3; i++)
   {
-    local[i] = float(i * count + 2 - i / 2);
+    int whole = i * count + 2 - i / 2;
+    local[i] = float(whole);
     values[i] = local[i];
   }
   last.y = values[2];

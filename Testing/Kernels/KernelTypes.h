@@ -37,6 +37,22 @@ struct KernelNames
 
 using BothKernels = ::testing::Types<FloatKernels, DoubleKernels>;
 
+/// Heights of a map from a function of column and row.
+template <typename Function>
+std::vector<float> MakeHeights(int columns, int rows, const Function& height)
+{
+  std::vector<float> heights(std::size_t(columns) * std::size_t(rows));
+  std::size_t i = 0;
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      heights[i++] = float(height(column, row));
+    }
+  }
+  return heights;
+}
+
 template <typename Kernels>
 class KernelTest : public ::testing::Test
 {
@@ -55,12 +71,7 @@ public:
   }
   std::vector<float> RandomHeights(int count)
   {
-    std::vector<float> heights;
-    for (int i = 0; i < count; ++i)
-    {
-      heights.push_back(float(this->Random(0., 1.)));
-    }
-    return heights;
+    return MakeHeights(count, 1, [this](int, int) { return this->Random(0., 1.); });
   }
 
   std::mt19937 Generator{ 20051 };

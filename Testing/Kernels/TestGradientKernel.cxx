@@ -14,14 +14,8 @@ TYPED_TEST(GradientKernel, IsTheRampsSlope)
 {
   using Vec2 = typename TestFixture::Vec2;
   // Exact in float: multiples of 1/64. Slopes per map coordinate: 16/64 and -8 * 2/64.
-  std::vector<float> heights;
-  for (int row = 0; row < 8; ++row)
-  {
-    for (int column = 0; column < 16; ++column)
-    {
-      heights.push_back(float(20 + column - 2 * row) / 64.f);
-    }
-  }
+  const std::vector<float> heights =
+    MakeHeights(16, 8, [](int column, int row) { return float(20 + column - 2 * row) / 64.f; });
   const typename TestFixture::HeightField field(16, 8, MesoWrap::Clamp, heights);
   for (int run = 0; run < 1000; ++run)
   {
@@ -46,8 +40,8 @@ TYPED_TEST(GradientKernel, IsTheCentralDifferenceAtTexelCentresAndBilinearBetwee
     const typename TestFixture::HeightField field(columns, rows, wrap, heights);
     const auto height = [&](int column, int row)
     {
-      return double(heights[std::size_t(field.wrapTexel(row, rows, int(wrap)) * columns +
-        field.wrapTexel(column, columns, int(wrap)))]);
+      return double(field.fetchHeight(
+        { field.wrapTexel(column, columns, int(wrap)), field.wrapTexel(row, rows, int(wrap)) }));
     };
     const auto centre = [&](int column, int row)
     {
@@ -83,15 +77,12 @@ TYPED_TEST(GradientKernel, ConvergesToASmoothMapsSlope)
   for (int level = 0; level < 2; ++level)
   {
     const int size = 64 << level;
-    std::vector<float> heights;
-    for (int row = 0; row < size; ++row)
-    {
-      for (int column = 0; column < size; ++column)
+    const std::vector<float> heights = MakeHeights(size, size,
+      [=](int column, int row)
       {
-        heights.push_back(float(0.5 + 0.25 * std::cos(2. * pi * (column + 0.5) / size) +
-          0.25 * std::sin(4. * pi * (row + 0.5) / size)));
-      }
-    }
+        return 0.5 + 0.25 * std::cos(2. * pi * (column + 0.5) / size) +
+          0.25 * std::sin(4. * pi * (row + 0.5) / size);
+      });
     const typename TestFixture::HeightField field(size, size, MesoWrap::Repeat, heights);
     for (int run = 0; run < 2000; ++run)
     {

@@ -117,14 +117,8 @@ TYPED_TEST(HeightFieldKernel, GivesRampsExactlyUpToRounding)
 {
   using Real = typename TestFixture::Real;
   // h = 0.1 + 0.5 u + 0.3 v at the centres of 10 x 6 texels is the same between them.
-  std::vector<float> heights;
-  for (int row = 0; row < 6; ++row)
-  {
-    for (int column = 0; column < 10; ++column)
-    {
-      heights.push_back(float(0.1 + 0.5 * (column + 0.5) / 10. + 0.3 * (row + 0.5) / 6.));
-    }
-  }
+  const std::vector<float> heights = MakeHeights(10, 6,
+    [](int column, int row) { return 0.1 + 0.5 * (column + 0.5) / 10. + 0.3 * (row + 0.5) / 6.; });
   const typename TestFixture::HeightField field(10, 6, MesoWrap::Clamp, heights);
   for (int run = 0; run < 1000; ++run)
   {

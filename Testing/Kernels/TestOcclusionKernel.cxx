@@ -57,11 +57,7 @@ TYPED_TEST(OcclusionKernel, DoesNotHangOnTheSamplersRounding)
   using Vec2 = typename TestFixture::Vec2;
   // A slope of one per 16 texels, lit along itself from just above: the sampler's 8-bit weights
   // alone would lay speckles on it.
-  std::vector<float> heights;
-  for (int i = 0; i < 16; ++i)
-  {
-    heights.push_back(float(i) / 16.f);
-  }
+  const std::vector<float> heights = MakeHeights(16, 1, [](int i, int) { return i / 16.; });
   typename TestFixture::HeightField field(16, 1, MesoWrap::Clamp, heights);
   field.SetWeightBits(8);
   for (int run = 0; run < 1000; ++run)
@@ -79,14 +75,13 @@ TYPED_TEST(OcclusionKernel, AgreesWithAFineMarchOnSmoothMaps)
   using Vec2 = typename TestFixture::Vec2;
   const double pi = std::acos(-1.);
   const int size = 64;
-  std::vector<float> heights;
-  for (int i = 0; i < size * size; ++i)
-  {
-    const double u = (i % size + 0.5) / size;
-    const double v = (i / size + 0.5) / size;
-    heights.push_back(
-      float(0.5 + 0.25 * std::cos(6. * pi * u) + 0.25 * std::sin(4. * pi * v + 2. * pi * u)));
-  }
+  const std::vector<float> heights = MakeHeights(size, size,
+    [=](int column, int row)
+    {
+      const double u = (column + 0.5) / size;
+      const double v = (row + 0.5) / size;
+      return 0.5 + 0.25 * std::cos(6. * pi * u) + 0.25 * std::sin(4. * pi * v + 2. * pi * u);
+    });
   const typename TestFixture::HeightField field(size, size, MesoWrap::Repeat, heights);
   int blocked = 0;
   int different = 0;

@@ -40,21 +40,22 @@ std::vector<float> SumOfCosines(unsigned seed)
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> any(0., 1.);
   const double pi = std::acos(-1.);
-  std::vector<float> heights(Size * Size, 0.5f);
-  for (int wave = 0; wave < 6; ++wave)
+  std::vector<glm::dvec3> waves(6); // whole periods along u and v, and the phase
+  for (glm::dvec3& wave : waves)
   {
-    const int alongU = int(generator() % 9u) - 4;
-    const int alongV = int(generator() % 9u) - 4;
-    const double phase = 2. * pi * any(generator);
-    for (int i = 0; i < Size * Size; ++i)
-    {
-      const double u = (i % Size + 0.5) / Size;
-      const double v = (i / Size + 0.5) / Size;
-      heights[std::size_t(i)] +=
-        float(0.5 / 6. * std::cos(2. * pi * (alongU * u + alongV * v) + phase));
-    }
+    wave = { double(generator() % 9u) - 4., double(generator() % 9u) - 4., any(generator) };
   }
-  return heights;
+  return MakeHeights(Size, Size,
+    [&](int column, int row)
+    {
+      double height = 0.5;
+      for (const glm::dvec3& wave : waves)
+      {
+        const double turns = wave.x * (column + 0.5) / Size + wave.y * (row + 0.5) / Size + wave.z;
+        height += 0.5 / double(waves.size()) * std::cos(2. * pi * turns);
+      }
+      return height;
+    });
 }
 
 double TrueDepth(const std::vector<float>& heights, const glm::dvec2& uv)
@@ -65,8 +66,9 @@ double TrueDepth(const std::vector<float>& heights, const glm::dvec2& uv)
   const double low = std::floor(y);
   const auto height = [&](double column, double row)
   {
-    return double(
-      heights[std::size_t((int(row) + Size) % Size * Size + (int(column) + Size) % Size)]);
+    const std::size_t wrappedRow = std::size_t(int(row) + Size) % Size;
+    const std::size_t wrappedColumn = std::size_t(int(column) + Size) % Size;
+    return double(heights[wrappedRow * Size + wrappedColumn]);
   };
   const double right = x - left;
   const double up = y - low;
@@ -99,6 +101,14 @@ double MarchFinely(const std::vector<float>& heights, const Ray& ray)
     }
   }
   return 1.;
+}
+
+std::vector<double> MarchFinely(const std::vector<float>& heights, const std::vector<Ray>& rays)
+{
+  std::vector<double> depths(rays.size());
+  std::transform(rays.begin(), rays.end(), depths.begin(),
+    [&](const Ray& ray) { return MarchFinely(heights, ray); });
+  return depths;
 }
 
 double Quantile(std::vector<double> values, double part)
@@ -138,11 +148,7 @@ std::vector<double> Errors(
 void ExpectAccurate(const std::vector<float>& heights, unsigned seed, const std::string& name)
 {
   const std::vector<Ray> rays = MakeRays(seed);
-  std::vector<double> truth;
-  for (const Ray& ray : rays)
-  {
-    truth.push_back(MarchFinely(heights, ray));
-  }
+  const std::vector<double> truth = MarchFinely(heights, rays);
   const MesoKernels::Float::HeightField floats(Size, Size, MesoWrap::Repeat, heights);
   const MesoKernels::Double::HeightField doubles(Size, Size, MesoWrap::Repeat, heights);
   const std::vector<double> inFloat = SearchedDepths(floats, rays, 128, 8, 8);
@@ -181,11 +187,7 @@ TEST(SearchAccuracy, GrowsWithQuality)
 {
   const std::vector<float> heights = SumOfCosines(5);
   const std::vector<Ray> rays = MakeRays(5);
-  std::vector<double> truth;
-  for (const Ray& ray : rays)
-  {
-    truth.push_back(MarchFinely(heights, ray));
-  }
+  const std::vector<double> truth = MarchFinely(heights, rays);
   const MesoKernels::Float::HeightField field(Size, Size, MesoWrap::Repeat, heights);
   double previous = Infinite;
   const int qualities[][2] = { { 16, 5 }, { 32, 6 }, { 64, 7 }, { 128, 8 } };

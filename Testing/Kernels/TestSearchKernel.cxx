@@ -131,11 +131,7 @@ TYPED_TEST(SearchKernel, FindsTheStepOfAWallByHand)
   // Depth 1 left of u = 0.5, 0 right of it, with a wall one texel wide (1/8) between centres at
   // 7/16 and 9/16: depth = (9/16 - u) * 8 there. A ray from u = 1/4 with 1/2 a depth meets it where
   // s = (9/16 - 1/4 - s/2) * 8, so s = 1/2, u = 1/2.
-  std::vector<float> heights;
-  for (int i = 0; i < 8; ++i)
-  {
-    heights.push_back(i < 4 ? 0.f : 1.f);
-  }
+  const std::vector<float> heights = MakeHeights(8, 1, [](int i, int) { return i < 4 ? 0. : 1.; });
   const typename TestFixture::HeightField field(8, 1, MesoWrap::Clamp, heights);
   const auto hit = field.searchLinearBinary({ Real(0.25), Real(0.5) }, { Real(0.5), 0 }, 0, 128, 8);
   EXPECT_TRUE(hit.Hit);
@@ -151,11 +147,7 @@ TYPED_TEST(SearchKernel, FindsTheSameFromFurtherAlongTheRay)
   using Real = typename TestFixture::Real;
   using Vec2 = typename TestFixture::Vec2;
   // A slope down from 1 to 0.5, so that each ray meets it once.
-  std::vector<float> heights;
-  for (int i = 0; i < 16; ++i)
-  {
-    heights.push_back(1.f - float(i) / 32.f);
-  }
+  const std::vector<float> heights = MakeHeights(16, 1, [](int i, int) { return 1. - i / 32.; });
   const typename TestFixture::HeightField field(16, 1, MesoWrap::Clamp, heights);
   for (int run = 0; run < 500; ++run)
   {
@@ -179,23 +171,15 @@ TYPED_TEST(SearchKernel, StandsOnEveryHardMap)
     int Height;
     std::vector<float> Heights;
   };
-  std::vector<Map> maps;
   std::vector<float> spike(32 * 32, 0.f);
   spike[16 * 32 + 16] = 1.f;
-  maps.push_back({ 32, 32, spike });
   std::vector<float> slot(32 * 32, 1.f);
   slot[16 * 32 + 16] = 0.f;
-  maps.push_back({ 32, 32, slot });
-  std::vector<float> checkerboard;
-  for (int i = 0; i < 16 * 16; ++i)
-  {
-    checkerboard.push_back(float((i / 16 + i % 16) % 2));
-  }
-  maps.push_back({ 16, 16, checkerboard });
-  maps.push_back({ 1, 1, { 0.4f } });
-  maps.push_back({ 1, 9, this->RandomHeights(9) });
-  maps.push_back({ 9, 1, this->RandomHeights(9) });
-  maps.push_back({ 37, 23, this->RandomHeights(37 * 23) });
+  const std::vector<float> checkerboard =
+    MakeHeights(16, 16, [](int column, int row) { return (column + row) % 2; });
+  const Map maps[] = { { 32, 32, spike }, { 32, 32, slot }, { 16, 16, checkerboard },
+    { 1, 1, { 0.4f } }, { 1, 9, this->RandomHeights(9) }, { 9, 1, this->RandomHeights(9) },
+    { 37, 23, this->RandomHeights(37 * 23) } };
   for (const Map& map : maps)
   {
     for (MesoWrap wrap : AllWraps)

@@ -7,6 +7,7 @@
 
 #include "vtkMesoReliefMapper.h"
 
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkTexture.h"
 
@@ -105,6 +106,32 @@ TEST_F(ReliefNullCases, MissingFramesAreSaidOnce)
   MesoExpectedMessages expected("lacks MesoTangent");
   const auto difference = this->Compare(MesoImageLimits::Exact());
   EXPECT_TRUE(difference.Within) << difference.Describe();
+  this->Scene.Window->Render();
+  EXPECT_EQ(expected.GetCount(), 1);
+}
+
+TEST_F(ReliefNullCases, BoundsHoldTheRelief)
+{
+  double plain[6];
+  double relief[6];
+  this->Plain->GetBounds(plain);
+  this->Relief->GetBounds(relief);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_DOUBLE_EQ(relief[i], plain[i] + (i % 2 == 0 ? -0.1 : 0.1));
+  }
+  this->Relief->SetHeightMap(nullptr);
+  this->Relief->GetBounds(relief);
+  EXPECT_EQ(relief[0], plain[0]);
+}
+
+TEST_F(ReliefNullCases, ClippingPlanesAreSaidToCutTheBase)
+{
+  vtkNew<vtkPlane> plane;
+  this->Relief->AddClippingPlane(plane);
+  this->Scene.Actor->SetMapper(this->Relief);
+  MesoExpectedMessages expected("Clipping planes cut the base mesh");
+  this->Scene.Window->Render();
   this->Scene.Window->Render();
   EXPECT_EQ(expected.GetCount(), 1);
 }

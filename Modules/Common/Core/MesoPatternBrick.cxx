@@ -104,14 +104,13 @@ private:
   double FaceHeight(double x, double y, double ex, double ey, int brick) const
   {
     const double level = 0.6 * this->Positive(brick, 5);
-    const double tilt =
-      0.2 * (1. + 0.5 * (ex * this->Signed(brick, 6) + ey * this->Signed(brick, 7)));
+    const double tilt = 0.2 * (1. + ex * this->Signed(brick, 6) + ey * this->Signed(brick, 7));
     const double wave = 0.5 + 0.5 * this->Noise(x, y, 1, 12 + 8 * brick);
-    const double grain = 0.5 + 0.25 * this->Noise(x, y, 6, 13 + 8 * brick) +
-      0.25 * this->Noise(x, y, 12, 14 + 8 * brick);
-    const double pit = SmoothStep(0.35, 0.65, this->Noise(x, y, 5, 15 + 8 * brick));
+    const double grain = 0.5 + 0.3 * this->Noise(x, y, 5, 13 + 8 * brick) +
+      0.2 * this->Noise(x, y, 11, 14 + 8 * brick);
+    const double pit = SmoothStep(0.5, 0.85, this->Noise(x, y, 4, 15 + 8 * brick));
     return 1. - this->Variation * (level + tilt) -
-      this->Roughness * (0.2 * wave + 0.16 * grain + 0.2 * pit);
+      this->Roughness * (0.25 * wave + 0.22 * grain + 0.3 * pit);
   }
 
   std::uint32_t Seed;

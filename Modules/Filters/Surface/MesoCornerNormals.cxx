@@ -1,7 +1,5 @@
 #include "MesoCornerNormals.h"
 
-#include "MesoFirstEqual.h"
-
 #include <algorithm>
 
 namespace
@@ -51,46 +49,13 @@ MesoTriangleMeasure Measure(const std::array<MesoVector, 3>& p, double rounding)
   return measure;
 }
 
-/// Sets of corners that share a normal, joined pair by pair.
-class CornerSets
-{
-public:
-  explicit CornerSets(std::size_t size)
-    : Parent(size)
-  {
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      this->Parent[i] = static_cast<std::int64_t>(i);
-    }
-  }
-
-  std::int64_t Find(std::int64_t corner)
-  {
-    while (this->Parent[corner] != corner)
-    {
-      corner = this->Parent[corner] = this->Parent[this->Parent[corner]];
-    }
-    return corner;
-  }
-
-  void Join(std::int64_t a, std::int64_t b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::int64_t> Parent;
-};
-
 class NormalMaker
 {
 public:
   NormalMaker(const MesoTriangleMesh& mesh, const std::vector<MesoTriangleMeasure>& measures)
     : Mesh(mesh)
     , Measures(measures)
-    , Corners(static_cast<std::int64_t>(3 * mesh.Triangles.size()))
+    , Corners(mesh.NumberOfCorners())
   {
   }
 
@@ -105,7 +70,7 @@ public:
     {
       for (std::int64_t c = 0; c < this->Corners; ++c)
       {
-        this->Result.Group[c] = this->VertexOf(c);
+        this->Result.Group[c] = this->Mesh.VertexOf(c);
       }
     }
     this->Average();
@@ -113,14 +78,11 @@ public:
   }
 
 private:
-  std::int64_t PointOf(std::int64_t c) const { return this->Mesh.Triangles[c / 3][c % 3]; }
-  std::int64_t VertexOf(std::int64_t c) const { return this->Mesh.Vertex[this->PointOf(c)]; }
   const MesoTriangleMeasure& MeasureOf(std::int64_t c) const { return this->Measures[c / 3]; }
-  static std::int64_t NextInTriangle(std::int64_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
 
   void GroupSmooth(double featureAngle)
   {
-    CornerSets sets(this->Corners);
+    MesoCornerSets sets(this->Corners);
     this->JoinAcrossEdges(std::cos(featureAngle * std::acos(-1.) / 180.) - CosineRounding, sets);
     // Corners without area join the first that has one at their point, so as to make no points.
     std::vector<std::int64_t> firstAtPoint(this->Mesh.Positions.size(), -1);
@@ -130,7 +92,7 @@ private:
       {
         if ((this->MeasureOf(c).Area > 0.) == withArea)
         {
-          std::int64_t& first = firstAtPoint[this->PointOf(c)];
+          std::int64_t& first = firstAtPoint[this->Mesh.PointOf(c)];
           if (first < 0)
           {
             first = c;
@@ -148,39 +110,29 @@ private:
     }
   }
 
-  void JoinAcrossEdges(double leastCosine, CornerSets& sets) const
+  void JoinAcrossEdges(double leastCosine, MesoCornerSets& sets) const
   {
-    // The half-edge c goes from corner c to the next one of its triangle.
-    std::vector<std::array<double, 2>> ends(this->Corners);
-    for (std::int64_t c = 0; c < this->Corners; ++c)
+    std::vector<bool> used;
+    for (const MesoTriangleMeasure& measure : this->Measures)
     {
-      const auto a = static_cast<double>(this->VertexOf(c));
-      const auto b = static_cast<double>(this->VertexOf(NextInTriangle(c)));
-      ends[c] = { std::min(a, b), std::max(a, b) };
+      used.push_back(measure.Area > 0.);
     }
-    const std::vector<std::int64_t> edge = MesoFirstEqual(ends);
-    std::vector<std::int64_t> count(this->Corners, 0);
-    std::vector<std::int64_t> second(this->Corners, -1);
+    const std::vector<std::int64_t> partner = MesoPairHalfEdges(this->Mesh, used);
     for (std::int64_t c = 0; c < this->Corners; ++c)
     {
-      ++count[edge[c]];
-      second[edge[c]] = c;
-    }
-    for (std::int64_t c = 0; c < this->Corners; ++c)
-    {
-      if (edge[c] != c || count[c] != 2)
+      const std::int64_t other = partner[c];
+      if (other < c) // none, or seen from its other side
       {
         continue;
       }
-      const std::int64_t other = second[c];
-      const bool areas = this->MeasureOf(c).Area > 0. && this->MeasureOf(other).Area > 0.;
-      const bool opposed = this->VertexOf(c) == this->VertexOf(NextInTriangle(other)) &&
-        this->VertexOf(c) != this->VertexOf(other);
-      if (areas && opposed &&
+      const std::int64_t next = MesoTriangleMesh::Next(c);
+      const std::int64_t otherNext = MesoTriangleMesh::Next(other);
+      const bool opposed = this->Mesh.VertexOf(c) == this->Mesh.VertexOf(otherNext);
+      if (opposed &&
         MesoDot(this->MeasureOf(c).Normal, this->MeasureOf(other).Normal) >= leastCosine)
       {
-        sets.Join(c, NextInTriangle(other));
-        sets.Join(NextInTriangle(c), other);
+        sets.Join(c, otherNext);
+        sets.Join(next, other);
       }
     }
   }
@@ -250,7 +202,7 @@ private:
       std::int64_t& group = this->Result.Group[c];
       if (!good[group])
       {
-        const std::int64_t point = this->PointOf(c);
+        const std::int64_t point = this->Mesh.PointOf(c);
         group = groups + point;
         if (firstTriangle[point] < 0 && this->MeasureOf(c).Area > 0.)
         {

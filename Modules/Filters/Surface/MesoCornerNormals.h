@@ -10,22 +10,7 @@
  * cut into triangles. Triangles without area have no say.
  */
 
-#include "MesoVector.h"
-
-#include <array>
-#include <cstdint>
-#include <vector>
-
-/// Triangles over `n` points in object space.
-struct MesoTriangleMesh
-{
-  std::vector<MesoVector> Positions; ///< n, finite
-  /// n: number of the merged vertex, from 0 to less than n.
-  std::vector<std::int64_t> Vertex;
-  std::vector<std::array<std::int64_t, 3>> Triangles; ///< point numbers
-  /// Rounding of the stored positions, relative to their size: 2^-24 where they come from floats.
-  double PositionRounding = 0.;
-};
+#include "MesoTriangleMesh.h"
 
 /// A triangle's unit normal (right-handed) and its angles in radians; an area of 0 where it has no
 /// direction: two corners fall together, or the three lie on a line but for rounding.

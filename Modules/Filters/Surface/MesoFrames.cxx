@@ -8,6 +8,8 @@ namespace
 {
 // Means of directions that are shorter, relative to the mean of their lengths, say nothing.
 constexpr double ShortestMean = 1. / 16.;
+// Derivatives that differ by more, relative to their length, are those of different charts.
+constexpr double LargestSeamDifference = 0.5;
 // Sine of the angle between the axes under which a float's inverse of the frame is noise.
 constexpr double LeastSine = 1e-6;
 
@@ -58,6 +60,12 @@ MesoVector Projected(const MesoVector& vector, const MesoVector& normal)
   return MesoDifference(vector, MesoScaled(normal, MesoDot(vector, normal)));
 }
 
+bool AreNear(const MesoVector& a, const MesoVector& b)
+{
+  return MesoLength(MesoDifference(a, b)) <
+    LargestSeamDifference * std::max(MesoLength(a), MesoLength(b));
+}
+
 /// Unit vector at right angles to the unit vector `normal`.
 MesoVector AnyTangent(const MesoVector& normal)
 {
@@ -88,8 +96,9 @@ public:
   explicit FrameMaker(const MesoFramesInput& input)
     : Input(input)
     , Points(static_cast<std::int64_t>(input.Mesh.Positions.size()))
-    , Corners(static_cast<std::int64_t>(3 * input.Mesh.Triangles.size()))
+    , Corners(input.Mesh.NumberOfCorners())
     , Measures(MesoMeasureTriangles(input.Mesh))
+    , Charts(input.Mesh.NumberOfCorners())
   {
   }
 
@@ -97,6 +106,8 @@ public:
   {
     this->ChooseNormals();
     this->ChooseHands();
+    this->JoinCharts();
+    this->JoinCornersWithoutFrame();
     this->SplitPoints();
     this->AddUp();
     this->MakeAxes();
@@ -104,7 +115,7 @@ public:
   }
 
 private:
-  std::int64_t PointOf(std::int64_t c) const { return this->Input.Mesh.Triangles[c / 3][c % 3]; }
+  std::int64_t PointOf(std::int64_t c) const { return this->Input.Mesh.PointOf(c); }
 
   bool AllNormalsGiven() const
   {
@@ -165,37 +176,123 @@ private:
     }
   }
 
-  /// Makes a point of each combination of point, normal and handedness. The first keeps the number;
-  /// corners that do not contribute join one that does.
-  void SplitPoints()
+  void JoinCharts()
   {
-    std::vector<std::array<double, 3>> keys(this->Corners);
-    std::vector<signed char> handAtNormal; // by the first corner with this point and normal
+    const MesoTriangleMesh& mesh = this->Input.Mesh;
+    std::vector<bool> used(mesh.Triangles.size());
+    for (std::int64_t c = 0; c < this->Corners; ++c)
+    {
+      used[c / 3] = used[c / 3] || this->Hand[c] != 0;
+    }
+    const std::vector<std::int64_t> partner = MesoPairHalfEdges(mesh, used);
+    for (std::int64_t c = 0; c < this->Corners; ++c)
+    {
+      if (partner[c] < c) // none, or seen from its other side
+      {
+        continue;
+      }
+      const std::int64_t next = MesoTriangleMesh::Next(c);
+      std::int64_t other = partner[c];
+      std::int64_t otherNext = MesoTriangleMesh::Next(other);
+      if (mesh.VertexOf(c) != mesh.VertexOf(other))
+      {
+        std::swap(other, otherNext);
+      }
+      if (this->ChartRunsOn({ c, next }, { other, otherNext }))
+      {
+        this->JoinIfAlike(c, other);
+        this->JoinIfAlike(next, otherNext);
+      }
+    }
+  }
+
+  /// Whether the texture coordinates continue from one triangle's edge to the other's.
+  bool ChartRunsOn(
+    const std::array<std::int64_t, 2>& here, const std::array<std::int64_t, 2>& there) const
+  {
+    bool equal = true;
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      double shift[2];
+      double largest = 0.;
+      for (std::size_t end = 0; end < 2; ++end)
+      {
+        const double a = this->Input.TextureCoordinates[this->PointOf(here[end])][k];
+        const double b = this->Input.TextureCoordinates[this->PointOf(there[end])][k];
+        shift[end] = b - a;
+        largest = std::max({ largest, std::abs(a), std::abs(b) });
+        equal = equal && a == b;
+      }
+      if (std::abs(shift[1] - shift[0]) > 4. * this->Input.TextureRounding * largest)
+      {
+        return false;
+      }
+    }
+    if (equal)
+    {
+      return true;
+    }
+    const Derivatives a = MakeDerivatives(this->Input, here[0] / 3);
+    const Derivatives b = MakeDerivatives(this->Input, there[0] / 3);
+    return AreNear(a.U, b.U) && AreNear(a.V, b.V);
+  }
+
+  void JoinIfAlike(std::int64_t a, std::int64_t b)
+  {
+    if (this->Hand[a] != 0 && this->Hand[a] == this->Hand[b] &&
+      this->NormalOf(a) == this->NormalOf(b))
+    {
+      this->Charts.Join(a, b);
+    }
+  }
+
+  /// Corners that do not contribute join the first at their point and with their normal that does,
+  /// so as to make no points.
+  void JoinCornersWithoutFrame()
+  {
+    if (std::find(this->Hand.begin(), this->Hand.end(), 0) == this->Hand.end())
+    {
+      return;
+    }
+    std::vector<std::array<double, 2>> keys(this->Corners);
     for (std::int64_t c = 0; c < this->Corners; ++c)
     {
       keys[c] = { static_cast<double>(this->PointOf(c)),
-        static_cast<double>(this->Normals.Group[c]), 0. };
-    }
-    {
-      const std::vector<std::int64_t> first = MesoFirstEqual(keys);
-      handAtNormal.assign(this->Corners, 0);
-      for (std::int64_t c = 0; c < this->Corners; ++c)
-      {
-        if (handAtNormal[first[c]] == 0)
-        {
-          handAtNormal[first[c]] = this->Hand[c];
-        }
-      }
-      for (std::int64_t c = 0; c < this->Corners; ++c)
-      {
-        keys[c][2] = this->Hand[c] != 0 ? this->Hand[c] : handAtNormal[first[c]];
-      }
+        static_cast<double>(this->Normals.Group[c]) };
     }
     const std::vector<std::int64_t> first = MesoFirstEqual(keys);
+    std::vector<std::int64_t> leader(this->Corners, -1);
+    for (std::int64_t c = this->Corners - 1; c >= 0; --c)
+    {
+      if (this->Hand[c] != 0)
+      {
+        leader[first[c]] = c;
+      }
+    }
+    for (std::int64_t c = 0; c < this->Corners; ++c)
+    {
+      if (this->Hand[c] == 0)
+      {
+        this->Charts.Join(c, leader[first[c]] < 0 ? first[c] : leader[first[c]]);
+      }
+    }
+  }
 
+  /// Makes a point of each combination of point and chart. The first keeps the point's number.
+  void SplitPoints()
+  {
+    std::vector<std::array<double, 2>> keys(this->Corners);
+    for (std::int64_t c = 0; c < this->Corners; ++c)
+    {
+      keys[c] = { static_cast<double>(this->PointOf(c)),
+        static_cast<double>(this->Charts.Find(c)) };
+    }
+    const std::vector<std::int64_t> first = MesoFirstEqual(keys);
     this->StartPoints();
     std::vector<bool> taken(this->Points, false);
     std::vector<std::int64_t> pointOfFirst(this->Corners, -1);
+    std::vector<std::int64_t> numberOfChart(this->Corners, -1);
+    std::int64_t charts = 0;
     this->Frames.Triangles.resize(this->Input.Mesh.Triangles.size());
     for (std::int64_t c = 0; c < this->Corners; ++c)
     {
@@ -207,18 +304,21 @@ private:
         {
           this->Frames.Source.push_back(point);
           this->Frames.Normals.emplace_back();
-          this->HandOfPoint.push_back(0);
+          this->SumOfPoint.push_back(-1);
           point = static_cast<std::int64_t>(this->Frames.Source.size()) - 1;
         }
         else
         {
           taken[point] = true;
         }
+        std::int64_t& number = numberOfChart[this->Charts.Find(c)];
+        number = number < 0 ? charts++ : number;
         this->Frames.Normals[point] = this->NormalOf(c);
-        this->HandOfPoint[point] = static_cast<signed char>(keys[c][2]);
+        this->SumOfPoint[point] = number;
       }
-      this->Frames.Triangles[c / 3][c % 3] = pointOfFirst[first[c]];
+      this->Frames.Triangles[c / 3][c % 3] = point;
     }
+    this->Sums.resize(charts);
   }
 
   /// The points of the input, as they are where no triangle uses them.
@@ -226,7 +326,7 @@ private:
   {
     this->Frames.Source.resize(this->Points);
     this->Frames.Normals.assign(this->Points, { 0., 0., 1. });
-    this->HandOfPoint.assign(this->Points, 0);
+    this->SumOfPoint.assign(this->Points, -1);
     for (std::int64_t point = 0; point < this->Points; ++point)
     {
       this->Frames.Source[point] = point;
@@ -242,21 +342,8 @@ private:
     }
   }
 
-  /// Points at one merged vertex that agree in all that a frame depends on share their sum.
   void AddUp()
   {
-    const std::size_t size = this->Frames.Source.size();
-    std::vector<std::array<double, 7>> keys(size);
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      const std::int64_t source = this->Frames.Source[i];
-      const auto& t = this->Input.TextureCoordinates[source];
-      const MesoVector& n = this->Frames.Normals[i];
-      keys[i] = { static_cast<double>(this->Input.Mesh.Vertex[source]), t[0], t[1], n[0], n[1],
-        n[2], static_cast<double>(this->HandOfPoint[i]) };
-    }
-    this->SumOfPoint = MesoFirstEqual(keys);
-    this->Sums.resize(size);
     double area = 0.;
     double textureArea = 0.;
     for (std::int64_t c = 0; c < this->Corners; ++c)
@@ -294,7 +381,8 @@ private:
     this->Frames.Valid.resize(size);
     for (std::size_t i = 0; i < size; ++i)
     {
-      const FrameSum& sum = this->Sums[this->SumOfPoint[i]];
+      const std::int64_t number = this->SumOfPoint[i];
+      const FrameSum sum = number < 0 ? FrameSum() : this->Sums[number];
       const MesoVector& normal = this->Frames.Normals[i];
       const double u = MesoLength(sum.U);
       const double v = MesoLength(sum.V);
@@ -324,9 +412,9 @@ private:
   const std::int64_t Corners;
   const std::vector<MesoTriangleMeasure> Measures;
   MesoCornerNormals Normals;
+  MesoCornerSets Charts;
   std::vector<signed char> Hand;        ///< by corner
-  std::vector<signed char> HandOfPoint; ///< by point of the result
-  std::vector<std::int64_t> SumOfPoint; ///< by point of the result, into Sums
+  std::vector<std::int64_t> SumOfPoint; ///< by point of the result, into Sums; -1 in no triangle
   std::vector<FrameSum> Sums;
   double MeanScale = 1.;
   MesoFrames Frames;

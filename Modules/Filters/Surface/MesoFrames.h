@@ -11,16 +11,24 @@
  *     det   = du1 dv2 - du2 dv1
  *     dp/du = (dv2 e1 - dv1 e2) / det        dp/dv = (du1 e2 - du2 e1) / det
  *
- * A point's dp/du and dp/dv are the means over the triangles around its merged vertex that have the
- * point's texture coordinate, normal and handedness there, weighted with their angles and projected
- * into the plane at right angles to the normal n. Tangent and bitangent are their directions,
- * not made orthogonal; Scale is their lengths, in object units per unit of texture coordinate.
+ * A point's dp/du and dp/dv are the means over the triangles around its merged vertex that belong
+ * to its chart, weighted with their angles there and projected into the plane at right angles to
+ * the normal n. Tangent and bitangent are their directions, not made orthogonal; Scale is their
+ * lengths, in object units per unit of texture coordinate.
+ *
+ * A **chart** runs on across an edge, at each end of it, where the two triangles have
+ * - the same texture coordinates at both ends; or coordinates that differ at both ends by the same
+ *   shift, and derivatives that differ by less than half their length: the seam of a closed chart,
+ *   at which dp/du and dp/dv run on;
+ * - the same normal and the same handedness, the sign of (dp/du x dp/dv) . n, at that end.
+ *
+ * Equal texture coordinates alone do not make a chart: the faces of a cube may meet with (0, 0) in
+ * one corner. A point in which several charts meet, or a chart and its mirror image, is split, for
+ * their frames would cancel.
  *
  * Only differences of positions enter, so that a model far from the origin has the frames of the
  * same model at the origin, and frames scale with the model.
  *
- * - **Handedness** is the sign of (dp/du x dp/dv) . n. Where a chart and its mirror image meet in
- *   one point, their frames would cancel: the point is split in two.
  * - **Without area**, in space or in the texture (to within the rounding of the coordinates as they
  *   were stored), a triangle contributes nothing.
  * - **No frame** is where no triangle contributes, where directions cancel to less than 1/16 of

@@ -24,9 +24,9 @@
  * - `MesoFrameValid` (1): 1, or 0 where there is no frame. There tangent and bitangent are
  *   orthonormal around the normal, and the scale is that of the whole mesh.
  *
- * MesoFrames.h has the equations, and says when a frame is not valid. A point is split in two where
- * its triangles differ in handedness, and with SplitNormals in normals; the copies follow the
- * input's points. Made arrays are double where the input's positions are double, else float; points
+ * MesoFrames.h has the equations, and says what a chart is and when a frame is not valid. A point is
+ * split where several charts meet in it, or a chart and its mirror image, and with SplitNormals where
+ * its triangles differ in normals; the copies follow the input's points. Made arrays are double where the input's positions are double, else float; points
  * keep their precision.
  *
  * An input without points gives an output without points. One vtkErrorMacro line and an empty

@@ -229,9 +229,9 @@ vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeHeightMap(
   try
   {
     const MesoHeights heights = MesoToHeights(stored, map.IsDepth, map.Range);
-    for (const std::string& note : heights.Notes)
+    for (const std::string& warning : heights.Warnings)
     {
-      this->Warnings.push_back(place + ": " + note);
+      this->Warnings.push_back(place + ": " + warning);
     }
     return heights.Image;
   }

@@ -9,6 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkLightingMapPass.h"
+#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMesoAOVPass.h"
@@ -147,6 +148,18 @@ void vtkMesoPolyDataMapper::SetScale(double scale)
   this->SetOptions(options);
 }
 
+void vtkMesoPolyDataMapper::ComputeBounds()
+{
+  this->Superclass::ComputeBounds();
+  if (vtkMath::AreBoundsInitialized(this->Bounds) && this->GetTechnique()->GetShape().Traces)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Bounds[i] += i % 2 == 0 ? -this->Options.Scale : this->Options.Scale;
+    }
+  }
+}
+
 void vtkMesoPolyDataMapper::SetTiles(double u, double v)
 {
   MesoMesostructureOptions options = this->Options;
@@ -180,13 +193,15 @@ std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor
   }
   vtkPointData* points = this->CurrentInput->GetPointData();
   std::string missing;
-  if (!points->GetNormals())
+  // Attributes of a shader are mapped by the arrays' names.
+  if (!points->GetNormals() || !points->GetNormals()->GetName())
   {
-    missing += " normals";
+    missing += " named normals";
   }
-  if (!points->GetTCoords() || points->GetTCoords()->GetNumberOfComponents() != 2)
+  if (!points->GetTCoords() || !points->GetTCoords()->GetName() ||
+    points->GetTCoords()->GetNumberOfComponents() != 2)
   {
-    missing += " texture coordinates (2 components)";
+    missing += " named texture coordinates (2 components)";
   }
   for (const char* name : { "MesoTangent", "MesoBitangent", "MesoTileScale" })
   {
@@ -245,6 +260,10 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   if (this->Fallback)
   {
     this->WarnOnce(whyNot);
+  }
+  else if (shape.Traces && this->GetNumberOfClippingPlanes() > 0)
+  {
+    this->WarnOnce("Clipping planes cut the base mesh, not the relief below it.");
   }
   this->EffectsDrawn = this->Fallback || !shape.Traces
     ? MesoEffects()
@@ -401,8 +420,13 @@ void vtkMesoPolyDataMapper::ReadTexturesAtHit(MesoShaderAssembler& fragment, vtk
       continue; // scalar colours, environments
     }
     const std::string asWritten = "texture(" + texture.second + ", tcoordVCVSOutput)";
-    const int count = std::max(1, fragment.Count(asWritten));
-    fragment.Rename(asWritten, "textureAtHit(" + texture.second + ", tcoordVCVSOutput)", count);
+    // A texture that VTK has no use for is not read; the actor's own always is.
+    const int count = fragment.Count(asWritten);
+    if (count > 0 || texture.second == "actortexture")
+    {
+      fragment.Rename(asWritten, "textureAtHit(" + texture.second + ", tcoordVCVSOutput)",
+        std::max(1, count));
+    }
   }
 }
 

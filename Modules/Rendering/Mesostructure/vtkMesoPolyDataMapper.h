@@ -85,6 +85,9 @@ protected:
   vtkMesoPolyDataMapper();
   ~vtkMesoPolyDataMapper() override;
 
+  /// Bounds of the mesh and of the detail, which lies at most D away from it.
+  void ComputeBounds() override;
+
   using Shaders = std::map<vtkShader::Type, vtkShader*>;
 
   /// The technique of this class; the base class's is `plain`.

@@ -1,0 +1,62 @@
+#ifndef MesoAOVChecks_h
+#define MesoAOVChecks_h
+
+/**
+ * @file MesoAOVChecks.h
+ * @brief What must hold of every pixel's numbers, however hard the case.
+ */
+
+#include "MesoTestScene.h"
+
+#include "vtkMesoAOVPass.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+/// Render a scene's AOVs once.
+inline void MesoCapture(MesoTestScene& scene, vtkMesoAOVPass* pass)
+{
+  scene.Renderer->SetPass(pass);
+  scene.Window->Render();
+  scene.Renderer->SetPass(nullptr);
+}
+
+/**
+ * Every value of every channel finite; relief, coverage and shadows in [0,1]; normals unit where
+ * covered; 0 where not. Gives the number of covered pixels.
+ */
+inline int MesoCheckEveryPixel(const vtkMesoAOVPass* pass)
+{
+  int covered = 0;
+  int wrong = 0;
+  for (const std::string& channel : pass->GetChannelNames())
+  {
+    for (float value : pass->GetChannel(channel))
+    {
+      const bool fraction = channel == "coverage" || channel == "relief" ||
+        channel.compare(0, 7, "shadow.") == 0;
+      if (!std::isfinite(value) || (fraction && (value < 0.f || value > 1.f)))
+      {
+        ++wrong;
+      }
+    }
+    EXPECT_EQ(wrong, 0) << channel;
+    wrong = 0;
+  }
+  for (int row = 0; row < pass->GetHeight(); ++row)
+  {
+    for (int column = 0; column < pass->GetWidth(); ++column)
+    {
+      const auto value = [&](const char* channel) { return pass->GetValue(channel, column, row); };
+      const double length =
+        std::hypot(value("normal.x"), value("normal.y"), value("normal.z"));
+      const bool hit = value("coverage") > 0.f;
+      covered += hit ? 1 : 0;
+      wrong += std::abs(length - (hit ? 1. : 0.)) > 1e-4 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(wrong, 0) << "normals that are not unit";
+  return covered;
+}
+
+#endif

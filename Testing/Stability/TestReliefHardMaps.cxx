@@ -1,0 +1,146 @@
+// Height maps that strain the search: all 0, all 1, one-texel spike and slot, checkerboard at
+// Nyquist, 1 x 1, 1 x N, sizes that are no power of two, every wrap; and huge and tiny D.
+
+#include "MesoAOVChecks.h"
+#include "MesoExpectedMessages.h"
+
+#include "vtkMesoReliefMapper.h"
+
+#include <functional>
+
+namespace
+{
+vtkSmartPointer<vtkImageData> Map(
+  int width, int height, const std::function<float(int, int)>& heightOf)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* value = static_cast<float*>(image->GetScalarPointer());
+  for (int row = 0; row < height; ++row)
+  {
+    for (int column = 0; column < width; ++column)
+    {
+      *value++ = heightOf(column, row);
+    }
+  }
+  return image;
+}
+
+class ReliefHardMaps : public testing::Test
+{
+protected:
+  MesoTestScene Scene{ 96, 96 };
+  vtkNew<vtkMesoReliefMapper> Mapper;
+  vtkNew<vtkMesoAOVPass> Pass;
+
+  void SetUp() override
+  {
+    this->Mapper->SetScale(0.1);
+    this->Mapper->SetInputData(MesoTestScene::Shape("plane"));
+    this->Scene.Actor->SetMapper(this->Mapper);
+    this->Scene.AddDirectionalLight(1., 1., -2.);
+    this->Scene.LookFrom(0.4, -0.8, 1.6);
+  }
+
+  void TearDown() override { this->Pass->ReleaseGraphicsResources(this->Scene.Window); }
+
+  int Check(vtkImageData* map)
+  {
+    this->Mapper->SetHeightMap(map);
+    MesoCapture(this->Scene, this->Pass);
+    return MesoCheckEveryPixel(this->Pass);
+  }
+
+  /// Least and greatest relief over the covered pixels.
+  std::pair<float, float> ReliefRange() const
+  {
+    std::pair<float, float> range(1.f, 0.f);
+    const auto values = this->Pass->GetInterleaved({ "coverage", "relief" });
+    for (std::size_t i = 0; i < values.size(); i += 2)
+    {
+      if (values[i] > 0.f)
+      {
+        range = { std::min(range.first, values[i + 1]), std::max(range.second, values[i + 1]) };
+      }
+    }
+    return range;
+  }
+};
+}
+
+TEST_F(ReliefHardMaps, AllHigh)
+{
+  EXPECT_GT(this->Check(Map(8, 8, [](int, int) { return 1.f; })), 3000);
+  EXPECT_EQ(this->ReliefRange(), (std::pair<float, float>(0.f, 0.f)));
+}
+
+TEST_F(ReliefHardMaps, AllLow)
+{
+  EXPECT_GT(this->Check(Map(8, 8, [](int, int) { return 0.f; })), 3000);
+  EXPECT_EQ(this->ReliefRange(), (std::pair<float, float>(1.f, 1.f)));
+}
+
+TEST_F(ReliefHardMaps, OneTexel)
+{
+  this->Check(Map(1, 1, [](int, int) { return 0.25f; }));
+  EXPECT_NEAR(this->ReliefRange().first, 0.75, 1e-6);
+  EXPECT_NEAR(this->ReliefRange().second, 0.75, 1e-6);
+}
+
+TEST_F(ReliefHardMaps, OneRowAndOneColumn)
+{
+  this->Check(Map(7, 1, [](int column, int) { return column % 2 ? 1.f : 0.f; }));
+  EXPECT_LT(this->ReliefRange().first, 0.2);
+  this->Check(Map(1, 7, [](int, int row) { return row % 2 ? 1.f : 0.f; }));
+  EXPECT_LT(this->ReliefRange().first, 0.2);
+}
+
+TEST_F(ReliefHardMaps, SpikeAndSlot)
+{
+  this->Check(Map(33, 17, [](int column, int row) { return column == 16 && row == 8 ? 1.f : 0.f; }));
+  EXPECT_LT(this->ReliefRange().first, 0.5) << "the spike is not seen";
+  this->Check(Map(33, 17, [](int column, int row) { return column == 16 && row == 8 ? 0.f : 1.f; }));
+  EXPECT_GT(this->ReliefRange().second, 0.3) << "the slot is not seen";
+}
+
+TEST_F(ReliefHardMaps, CheckerboardInEveryWrap)
+{
+  MesoMesostructureOptions options = this->Mapper->GetOptions();
+  options.Tiles = { 2.5, 2.5 };
+  for (MesoWrap wrap : { MesoWrap::Repeat, MesoWrap::Clamp, MesoWrap::Mirror })
+  {
+    options.Wrap = wrap;
+    this->Mapper->SetOptions(options);
+    EXPECT_GT(
+      this->Check(Map(31, 63, [](int column, int row) { return (column + row) % 2 ? 1.f : 0.f; })),
+      3000);
+  }
+}
+
+TEST_F(ReliefHardMaps, TinyAndHugeScale)
+{
+  const auto map = MesoTestScene::Pattern("noise");
+  for (double scale : { 1e-30, 1e-12, 1e-6, 10., 1e6, 1e12, 1e30 })
+  {
+    this->Mapper->SetScale(scale);
+    EXPECT_GT(this->Check(map), 3000) << scale;
+  }
+}
+
+TEST_F(ReliefHardMaps, TenThousandTiles)
+{
+  this->Mapper->SetTiles(1e4, 1e4);
+  this->Mapper->SetScale(1e-5);
+  EXPECT_GT(this->Check(MesoTestScene::Pattern("brick")), 3000);
+}
+
+TEST_F(ReliefHardMaps, WrongMapsAreRefusedAndTheBaseIsDrawn)
+{
+  vtkNew<vtkImageData> colour;
+  colour->SetDimensions(4, 4, 1);
+  colour->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  MesoExpectedMessages expected("one component of float");
+  EXPECT_GT(this->Check(colour), 3000);
+  EXPECT_EQ(this->ReliefRange().second, 0.f);
+}
