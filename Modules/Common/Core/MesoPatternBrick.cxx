@@ -41,21 +41,23 @@ public:
     const int cell = static_cast<int>(std::floor(along));
     const int brick = row * this->NumberOfColumns + cell % this->NumberOfColumns;
 
-    // Position from the brick's middle, with a slight error of the bricklayer's hand.
-    const double slack = 0.25 * this->Mortar * this->Variation;
-    const double px = (along - cell - 0.5) * length + slack * this->Signed(brick, 0);
-    const double py = y - row - 0.5 + slack * this->Signed(brick, 1);
-    const double turn = 0.012 * this->Variation * this->Signed(brick, 2);
+    // Position from the brick's middle, with a slight error of the bricklayer's hand. In all the
+    // brick comes no nearer to its cell's border than a quarter of a joint.
+    const double error = this->Mortar * this->Variation;
+    const double px = (along - cell - 0.5) * length + 0.15 * error * this->Signed(brick, 0);
+    const double py = y - row - 0.5 + 0.15 * error * this->Signed(brick, 1);
+    const double turn = 0.2 * error * this->Signed(brick, 2) / std::max(length, 1.);
     const double qx = px - turn * py;
     const double qy = py + turn * px;
 
     const double joint = this->JointHeight(x, y);
-    const double halfX = 0.5 * (length - this->Mortar) - slack * this->Positive(brick, 3);
-    const double halfY = 0.5 * (1. - this->Mortar) - slack * this->Positive(brick, 4);
+    const double halfX = 0.5 * (length - this->Mortar) - 0.3 * error * this->Positive(brick, 3);
+    const double halfY = 0.5 * (1. - this->Mortar) - 0.3 * error * this->Positive(brick, 4);
     const double inside = this->Inside(qx, qy, halfX, halfY) - this->Chipping(x, y, brick);
     if (inside <= 0.)
     {
-      return joint * (1. - 0.75 * SmoothStep(0., 0.6 * this->Mortar + 1e-9, -inside));
+      // The hollow is even before the border, so that cells meet without a step.
+      return joint * (1. - 0.75 * SmoothStep(0., 0.2 * this->Mortar + 1e-9, -inside));
     }
     const double rise = std::min(inside / this->Bevel, 1.);
     const double face = this->FaceHeight(x, y, qx / halfX, qy / halfY, brick);
