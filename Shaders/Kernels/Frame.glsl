@@ -2,8 +2,9 @@
 // go to texture space this way (architecture.md: never by dot products), so that sheared and
 // mirrored charts are right.
 
-// Axes that span less than this volume, once each has length 1, are taken as degenerate. Each axis'
-// share of a solution is off by at most 16 epsilons of the whole / volume: 2 percent at this bound.
+// Axes that span less than this volume, once each has length 1, are taken as degenerate. A solution
+// splits r into three shares, x.x * a and so on; the length of each is off by at most 4 float
+// epsilons of their summed lengths / volume, half a percent at this bound.
 const float FrameLeastVolume = 1.0e-4;
 
 // Axes outside these sizes are refused: their quotients could overflow a float.

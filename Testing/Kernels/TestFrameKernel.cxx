@@ -21,7 +21,7 @@ public:
   }
 
   /// Largest error of solving for a known x, relative to the bound that Frame.glsl states: an error
-  /// of 16 epsilons of the whole, over the volume, along each axis.
+  /// of 4 epsilons of the shares' summed lengths, over the volume, along each axis.
   double ErrorOverBound(const glm::dvec3 (&axes)[3], const glm::dvec3& known)
   {
     // The axes as the kernel sees them; the right-hand side rounds once more, within the bound.
@@ -35,7 +35,12 @@ public:
     EXPECT_TRUE(this->Kernel.solveFrame(Vec3(seen[0]), Vec3(seen[1]), Vec3(seen[2]), Vec3(sum), x));
     const double volume = std::abs(glm::dot(
       glm::normalize(seen[0]), glm::cross(glm::normalize(seen[1]), glm::normalize(seen[2]))));
-    const double bound = 16. * double(this->Epsilon) * glm::length(sum) / volume;
+    double lengths = 0.;
+    for (int i = 0; i < 3; ++i)
+    {
+      lengths += std::abs(known[i]) * glm::length(seen[i]);
+    }
+    const double bound = 4. * double(this->Epsilon) * lengths / volume;
     double worst = 0.;
     for (int i = 0; i < 3; ++i)
     {

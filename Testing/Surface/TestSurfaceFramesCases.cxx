@@ -129,6 +129,46 @@ TEST(SurfaceFrames, TrianglesWithoutAreaContributeNothing)
   EXPECT_EQ(frames->GetNumberOfPolys(), 7);
 }
 
+// Floats of 1e+6 are 1/16 apart: a square of that size is exact there, and no sliver.
+TEST(SurfaceFrames, SmallTrianglesFarFromTheOriginInFloatHaveFrames)
+{
+  std::vector<MesoVector> positions;
+  for (const MesoVector& p : TwoSquares)
+  {
+    positions.push_back(MesoSum(MesoScaled(p, 1. / 16.), { 1e+6, 1e+6, 1e+6 }));
+  }
+  const auto mesh = MakeMesh(positions, TwoSquaresChart, TwoSquaresCells);
+  vtkNew<vtkPoints> floats;
+  floats->SetDataTypeToFloat();
+  floats->DeepCopy(mesh->GetPoints());
+  ASSERT_EQ(floats->GetDataType(), VTK_FLOAT);
+  mesh->SetPoints(floats);
+  const auto frames = FramesOf(mesh);
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(Valid(frames, i), 1.);
+    ExpectVector(frames, "MesoTangent", i, { 1., 0., 0. });
+    ExpectVector(frames, "MesoTileScale", i, { 0.125, 0.125, 0. });
+  }
+}
+
+// The point on an edge is there but for a float's rounding: its triangle leans where that leads.
+TEST(SurfaceFrames, ASliverOfRoundingContributesNothing)
+{
+  std::vector<MesoVector> positions = { { 0.1, 0.1, 0. }, { 0.9, 0.7, 0. }, { 0.1, 0.7, 0. },
+    { 0.5, 0.4, 2e-8 } };
+  const auto mesh = MakeMesh(
+    positions, { { 0., 0. }, { 1., 0. }, { 0., 1. }, { 0.5, -0.5 } }, { { 0, 1, 2 }, { 0, 3, 1 } });
+  vtkNew<vtkPoints> floats;
+  floats->SetDataTypeToFloat();
+  floats->DeepCopy(mesh->GetPoints());
+  mesh->SetPoints(floats);
+  const auto frames = FramesOf(mesh);
+  EXPECT_EQ(Valid(frames, 3), 0.);
+  ExpectVector(frames, "Normals", 0, { 0., 0., 1. });
+  EXPECT_EQ(Valid(frames, 0), 1.);
+}
+
 TEST(SurfaceFrames, PointsOfNoTriangleHaveTheMeshsScale)
 {
   std::vector<MesoVector> positions = TwoSquares;
