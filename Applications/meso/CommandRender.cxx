@@ -51,8 +51,8 @@ std::array<int, 2> ParseSize(const std::string& text)
   if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 ||
     height < 1 || width > LargestSize || height > LargestSize)
   {
-    throw CLI::ValidationError("--size", "'" + text + "' is no size such as 800x600 (1 to " +
-        std::to_string(LargestSize) + " each)");
+    throw CLI::ValidationError("--size",
+      "'" + text + "' is no size such as 800x600 (1 to " + std::to_string(LargestSize) + " each)");
   }
   return { width, height };
 }
@@ -63,8 +63,7 @@ T ParseName(const char* option, const std::string& text, std::optional<T> value,
 {
   if (!value)
   {
-    throw CLI::ValidationError(
-      option, "'" + text + "' is none of " + Joined(choices));
+    throw CLI::ValidationError(option, "'" + text + "' is none of " + Joined(choices));
   }
   return *value;
 }
@@ -115,16 +114,19 @@ CommandRender::CommandRender(CLI::App& app)
   command->add_option("SCENE", this->SceneFile, "Scene file (JSON)")->required();
   command->add_option("-o,--output", this->Output, "Picture to write, ending in .png")
     ->required()
-    ->check([](const std::string& name) {
-      const bool png = name.size() > 4 && name.compare(name.size() - 4, 4, ".png") == 0;
-      return png ? std::string() : "'" + name + "' does not end in .png";
-    });
+    ->check(
+      [](const std::string& name)
+      {
+        const bool png = name.size() > 4 && name.compare(name.size() - 4, 4, ".png") == 0;
+        return png ? std::string() : "'" + name + "' does not end in .png";
+      });
   command->add_option_function<std::string>(
     "--size", [this](const std::string& text) { this->Size = ParseSize(text); },
     "Width and height in pixels (default: 800x600)");
   command->add_option_function<std::string>(
     "--technique",
-    [this](const std::string& text) {
+    [this](const std::string& text)
+    {
       this->Technique =
         ParseName("--technique", text, MesoTechniqueFromName(text), MesoTechniqueNames());
     },
@@ -137,7 +139,8 @@ CommandRender::CommandRender(CLI::App& app)
     "Quality in place of the scene's: " + Joined(MesoQualityNames()));
   command->add_option_function<std::string>(
     "--effects",
-    [this](const std::string& text) {
+    [this](const std::string& text)
+    {
       MesoEffectChoice choice;
       choice.Auto = text == "auto" || text == "all";
       if (!choice.Auto && text != "none")
@@ -224,8 +227,7 @@ int CommandRender::Run()
     CaptureAOVs(window, renderer, builder, pass);
     if (!this->Channels.empty())
     {
-      WriteAOVs(
-        pass, ChannelsOfGroups(this->Channels, pass), builder, AOVFileName(this->Output));
+      WriteAOVs(pass, ChannelsOfGroups(this->Channels, pass), builder, AOVFileName(this->Output));
     }
     if (!this->StatsFile.empty())
     {

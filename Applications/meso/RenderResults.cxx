@@ -172,13 +172,11 @@ void WriteStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   std::size_t gpuBytes = 0;
   vtkIdType triangles = 0;
   renderer->SetPass(nullptr);
-  const MesoFrameCost cost = [&] {
-    for (const auto& object : builder.GetObjects())
-    {
-      props.push_back(object.Actor);
-    }
-    return MesoMeasureFrame(window, props);
-  }();
+  for (const auto& object : builder.GetObjects())
+  {
+    props.push_back(object.Actor);
+  }
+  const MesoFrameCost cost = MesoMeasureFrames(window, { props }).front();
   for (const auto& object : builder.GetObjects())
   {
     techniques.insert(MesoName(object.Options.Technique));

@@ -33,8 +33,8 @@ inline int MesoCheckEveryPixel(const vtkMesoAOVPass* pass)
   {
     for (float value : pass->GetChannel(channel))
     {
-      const bool fraction = channel == "coverage" || channel == "relief" ||
-        channel.compare(0, 7, "shadow.") == 0;
+      const bool fraction =
+        channel == "coverage" || channel == "relief" || channel.compare(0, 7, "shadow.") == 0;
       if (!std::isfinite(value) || (fraction && (value < 0.f || value > 1.f)))
       {
         ++wrong;
@@ -48,8 +48,7 @@ inline int MesoCheckEveryPixel(const vtkMesoAOVPass* pass)
     for (int column = 0; column < pass->GetWidth(); ++column)
     {
       const auto value = [&](const char* channel) { return pass->GetValue(channel, column, row); };
-      const double length =
-        std::hypot(value("normal.x"), value("normal.y"), value("normal.z"));
+      const double length = std::hypot(value("normal.x"), value("normal.y"), value("normal.z"));
       const bool hit = value("coverage") > 0.f;
       covered += hit ? 1 : 0;
       wrong += std::abs(length - (hit ? 1. : 0.)) > 1e-4 ? 1 : 0;

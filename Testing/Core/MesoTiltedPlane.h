@@ -42,8 +42,7 @@ struct MesoTiltedPlane : public MesoTestScene
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(HalfHeight);
-    camera->SetPosition(
-      -Distance * std::sin(this->Angle), 0., Distance * std::cos(this->Angle));
+    camera->SetPosition(-Distance * std::sin(this->Angle), 0., Distance * std::cos(this->Angle));
     camera->SetFocalPoint(0., 0., 0.);
     camera->SetViewUp(0., 1., 0.);
     this->Renderer->ResetCameraClippingRange();

@@ -184,7 +184,8 @@ TEST_F(PlainEqualsVTK, ScalarColours)
     scalars->InsertNextValue(static_cast<float>(i % 20));
   }
   this->Ours->GetInput()->GetPointData()->SetScalars(scalars);
-  for (vtkPolyDataMapper* mapper : { this->Theirs.Get(), static_cast<vtkPolyDataMapper*>(this->Ours) })
+  for (vtkPolyDataMapper* mapper :
+    { this->Theirs.Get(), static_cast<vtkPolyDataMapper*>(this->Ours) })
   {
     mapper->SetScalarRange(0., 20.);
   }

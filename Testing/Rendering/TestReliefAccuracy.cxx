@@ -19,7 +19,8 @@ double DepthAt(const float* heights, double u, double v)
   const double y = v * Texels - 0.5;
   const double i = std::floor(x);
   const double j = std::floor(y);
-  const auto texel = [&](double column, double row) {
+  const auto texel = [&](double column, double row)
+  {
     const int c = ((static_cast<int>(column) % Texels) + Texels) % Texels;
     const int r = ((static_cast<int>(row) % Texels) + Texels) % Texels;
     return 1. - static_cast<double>(heights[r * Texels + c]);

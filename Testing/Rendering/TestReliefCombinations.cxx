@@ -80,93 +80,120 @@ using M = vtkMesoPolyDataMapper;
 
 const Combination Combinations[] = {
   { "Plain", [](S&, M*) {} },
-  { "NoLight", [](S& s, M*) {
-     s.Renderer->RemoveAllLights();
-     s.Actor->SetTexture(CheckerTexture(false));
-   } },
-  { "LightingOff", [](S& s, M*) {
-     Material(s)->LightingOff();
-     s.Actor->SetTexture(CheckerTexture(false));
-   } },
-  { "Headlight", [](S& s, M*) {
-     s.Renderer->RemoveAllLights();
-     s.AddHeadlight();
-   } },
-  { "HeadlightSpecular", [](S& s, M*) {
-     s.Renderer->RemoveAllLights();
-     s.AddHeadlight();
-     Material(s)->SetSpecular(0.5);
-   } },
+  { "NoLight",
+    [](S& s, M*)
+    {
+      s.Renderer->RemoveAllLights();
+      s.Actor->SetTexture(CheckerTexture(false));
+    } },
+  { "LightingOff",
+    [](S& s, M*)
+    {
+      Material(s)->LightingOff();
+      s.Actor->SetTexture(CheckerTexture(false));
+    } },
+  { "Headlight",
+    [](S& s, M*)
+    {
+      s.Renderer->RemoveAllLights();
+      s.AddHeadlight();
+    } },
+  { "HeadlightSpecular",
+    [](S& s, M*)
+    {
+      s.Renderer->RemoveAllLights();
+      s.AddHeadlight();
+      Material(s)->SetSpecular(0.5);
+    } },
   { "DirectionalSpecular", [](S& s, M*) { Material(s)->SetSpecular(0.5); } },
   { "PointLight", [](S& s, M*) { AddPointLight(s, 90.); } },
   { "SpotLight", [](S& s, M*) { AddPointLight(s, 20.); } },
-  { "ManyLights", [](S& s, M*) {
-     s.AddHeadlight();
-     AddPointLight(s, 90.);
-     AddPointLight(s, 20.);
-     for (int i = 0; i < 4; ++i)
-     {
-       s.AddDirectionalLight(i, -1., -1.)->SetIntensity(0.1);
-     }
-   } },
+  { "ManyLights",
+    [](S& s, M*)
+    {
+      s.AddHeadlight();
+      AddPointLight(s, 90.);
+      AddPointLight(s, 20.);
+      for (int i = 0; i < 4; ++i)
+      {
+        s.AddDirectionalLight(i, -1., -1.)->SetIntensity(0.1);
+      }
+    } },
   { "Textured", [](S& s, M*) { s.Actor->SetTexture(CheckerTexture(false)); } },
   { "TexturedMipmap", [](S& s, M*) { s.Actor->SetTexture(CheckerTexture(true)); } },
   { "Edges", [](S& s, M*) { Material(s)->EdgeVisibilityOn(); } },
-  { "EdgesTextured", [](S& s, M*) {
-     Material(s)->EdgeVisibilityOn();
-     s.Actor->SetTexture(CheckerTexture(false));
-   } },
+  { "EdgesTextured",
+    [](S& s, M*)
+    {
+      Material(s)->EdgeVisibilityOn();
+      s.Actor->SetTexture(CheckerTexture(false));
+    } },
   { "Wireframe", [](S& s, M*) { Material(s)->SetRepresentationToWireframe(); } },
-  { "WideWireframe", [](S& s, M*) {
-     Material(s)->SetRepresentationToWireframe();
-     Material(s)->SetLineWidth(4.f);
-   } },
+  { "WideWireframe",
+    [](S& s, M*)
+    {
+      Material(s)->SetRepresentationToWireframe();
+      Material(s)->SetLineWidth(4.f);
+    } },
   { "Flat", [](S& s, M*) { Material(s)->SetInterpolationToFlat(); } },
   { "Gouraud", [](S& s, M*) { Material(s)->SetInterpolationToGouraud(); } },
   { "PhysicallyBased", [](S& s, M*) { Material(s)->SetInterpolationToPBR(); } },
   { "TwoSided", [](S& s, M*) { Material(s)->BackfaceCullingOff(); } },
   { "Translucent", [](S& s, M*) { Material(s)->SetOpacity(0.5); } },
-  { "TranslucentPeeled", [](S& s, M*) {
-     Material(s)->SetOpacity(0.5);
-     s.Renderer->UseDepthPeelingOn();
-   } },
-  { "ParallelProjection", [](S& s, M*) {
-     s.Renderer->GetActiveCamera()->ParallelProjectionOn();
-     s.Renderer->GetActiveCamera()->SetParallelScale(1.5);
-   } },
+  { "TranslucentPeeled",
+    [](S& s, M*)
+    {
+      Material(s)->SetOpacity(0.5);
+      s.Renderer->UseDepthPeelingOn();
+    } },
+  { "ParallelProjection",
+    [](S& s, M*)
+    {
+      s.Renderer->GetActiveCamera()->ParallelProjectionOn();
+      s.Renderer->GetActiveCamera()->SetParallelScale(1.5);
+    } },
   { "NonUniformScale", [](S& s, M*) { s.Actor->SetScale(1., 0.5, 1.3); } },
   { "Mirrored", [](S& s, M*) { s.Actor->SetScale(-1., 1., 1.); } },
-  { "FarFromOrigin", [](S& s, M*) {
-     s.Actor->SetPosition(1e5, 0., 0.);
-     s.Renderer->GetActiveCamera()->SetPosition(1e5 + 1., 3., 5.);
-     s.Renderer->GetActiveCamera()->SetFocalPoint(1e5, 0., 0.);
-     s.Renderer->ResetCameraClippingRange();
-   } },
-  { "CoincidentOffset", [](S&, M* m) {
-     m->SetRelativeCoincidentTopologyPolygonOffsetParameters(0., 2.);
-     m->SetResolveCoincidentTopologyToPolygonOffset();
-   } },
+  { "FarFromOrigin",
+    [](S& s, M*)
+    {
+      s.Actor->SetPosition(1e5, 0., 0.);
+      s.Renderer->GetActiveCamera()->SetPosition(1e5 + 1., 3., 5.);
+      s.Renderer->GetActiveCamera()->SetFocalPoint(1e5, 0., 0.);
+      s.Renderer->ResetCameraClippingRange();
+    } },
+  { "CoincidentOffset",
+    [](S&, M* m)
+    {
+      m->SetRelativeCoincidentTopologyPolygonOffsetParameters(0., 2.);
+      m->SetResolveCoincidentTopologyToPolygonOffset();
+    } },
   { "MultiSampled", [](S& s, M*) { s.Window->SetMultiSamples(4); } },
   { "ShadingOnly", [](S&, M* m) { SetEffects(m, { MesoEffect::Shading }); } },
-  { "OcclusionOnly", [](S& s, M* m) {
-     SetEffects(m, { MesoEffect::Occlusion });
-     s.Actor->SetTexture(CheckerTexture(false));
-   } },
+  { "OcclusionOnly",
+    [](S& s, M* m)
+    {
+      SetEffects(m, { MesoEffect::Occlusion });
+      s.Actor->SetTexture(CheckerTexture(false));
+    } },
   { "SelfShadowOnly", [](S&, M* m) { SetEffects(m, { MesoEffect::SelfShadow }); } },
-  { "NoDepth", [](S&, M* m) {
-     SetEffects(m, { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow });
-   } },
+  { "NoDepth",
+    [](S&, M* m) {
+      SetEffects(m, { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow });
+    } },
   { "WrapClamp", [](S&, M* m) { SetWrap(m, MesoWrap::Clamp); } },
   { "WrapMirror", [](S&, M* m) { SetWrap(m, MesoWrap::Mirror); } },
-  { "ScalarColours", [](S&, M* m) {
-     vtkNew<vtkFloatArray> scalars;
-     for (vtkIdType i = 0; i < m->GetInput()->GetNumberOfPoints(); ++i)
-     {
-       scalars->InsertNextValue(static_cast<float>(i % 7));
-     }
-     m->GetInput()->GetPointData()->SetScalars(scalars);
-     m->SetScalarRange(0., 7.);
-   } },
+  { "ScalarColours",
+    [](S&, M* m)
+    {
+      vtkNew<vtkFloatArray> scalars;
+      for (vtkIdType i = 0; i < m->GetInput()->GetNumberOfPoints(); ++i)
+      {
+        scalars->InsertNextValue(static_cast<float>(i % 7));
+      }
+      m->GetInput()->GetPointData()->SetScalars(scalars);
+      m->SetScalarRange(0., 7.);
+    } },
 };
 
 class ReliefCombinations : public testing::TestWithParam<Combination>

@@ -73,8 +73,8 @@ TEST_F(ReliefNullCases, DepthMapOfZeroTextured)
   image->SetDimensions(2, 2, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   const unsigned char colours[] = { 250, 20, 20, 20, 250, 20, 20, 20, 250, 250, 250, 20 };
-  std::copy(std::begin(colours), std::end(colours),
-    static_cast<unsigned char*>(image->GetScalarPointer()));
+  std::copy(
+    std::begin(colours), std::end(colours), static_cast<unsigned char*>(image->GetScalarPointer()));
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
   texture->InterpolateOn();

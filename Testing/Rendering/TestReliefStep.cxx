@@ -61,21 +61,24 @@ TEST_F(ReliefStep, HitAndDepthAreExact)
   this->Plane.Capture();
   const double travel = this->Plane.TravelU();
   int walls = 0;
-  const int count = this->ForPixels([&](int column, int row, double u) {
-    const double relief = ExpectedRelief(u, travel);
-    walls += relief > 0. && relief < 1. ? 1 : 0;
-    const auto value = [&](const char* channel) {
-      return this->Plane.Pass->GetValue(channel, column, row);
-    };
-    EXPECT_EQ(value("coverage"), 1.f);
-    EXPECT_NEAR(value("relief"), relief, 1e-4) << "u = " << u;
-    EXPECT_NEAR(value("texcoord.u"), u + relief * travel, 1e-5);
-    EXPECT_NEAR(value("texcoord.v"), this->Plane.EntryV(row), 1e-6);
-    const double depth = MesoTiltedPlane::Distance +
-      this->Plane.ScreenX(column) * std::tan(this->Plane.Angle) +
-      relief * Depth / std::cos(this->Plane.Angle);
-    EXPECT_NEAR(value("depth"), depth, 2e-5);
-  });
+  const int count = this->ForPixels(
+    [&](int column, int row, double u)
+    {
+      const double relief = ExpectedRelief(u, travel);
+      walls += relief > 0. && relief < 1. ? 1 : 0;
+      const auto value = [&](const char* channel)
+      { return this->Plane.Pass->GetValue(channel, column, row); };
+      EXPECT_EQ(value("coverage"), 1.f);
+      // Hardware snaps corners to 1/256 pixel, which is 4e-5 of u here; on the wall a texel of u is
+      // all of the depth.
+      EXPECT_NEAR(value("relief"), relief, 1e-3) << "u = " << u;
+      EXPECT_NEAR(value("texcoord.u"), u + relief * travel, 4e-5);
+      EXPECT_NEAR(value("texcoord.v"), this->Plane.EntryV(row), 4e-5);
+      const double depth = MesoTiltedPlane::Distance +
+        this->Plane.ScreenX(column) * std::tan(this->Plane.Angle) +
+        relief * Depth / std::cos(this->Plane.Angle);
+      EXPECT_NEAR(value("depth"), depth, 1e-4);
+    });
   EXPECT_GT(count, 1500);
   EXPECT_GT(walls, 30) << "the camera does not see the wall";
 }
@@ -83,16 +86,18 @@ TEST_F(ReliefStep, HitAndDepthAreExact)
 TEST_F(ReliefStep, NormalIsThatOfTheBaseOnFlatGround)
 {
   this->Plane.Capture();
-  this->ForPixels([&](int column, int row, double) {
-    const double u = this->Plane.Pass->GetValue("texcoord.u", column, row);
-    const bool top = u > 1.5 / Texels && u < TopEnd - 1. / Texels;
-    const bool floor = u > FloorStart + 1. / Texels && u < FloorEnd - 1. / Texels;
-    if (top || floor)
+  this->ForPixels(
+    [&](int column, int row, double)
     {
-      EXPECT_NEAR(this->Plane.Pass->GetValue("normal.x", column, row), 0., 1e-6);
-      EXPECT_NEAR(this->Plane.Pass->GetValue("normal.z", column, row), 1., 1e-6);
-    }
-  });
+      const double u = this->Plane.Pass->GetValue("texcoord.u", column, row);
+      const bool top = u > 1.5 / Texels && u < TopEnd - 1. / Texels;
+      const bool floor = u > FloorStart + 1. / Texels && u < FloorEnd - 1. / Texels;
+      if (top || floor)
+      {
+        EXPECT_NEAR(this->Plane.Pass->GetValue("normal.x", column, row), 0., 1e-6);
+        EXPECT_NEAR(this->Plane.Pass->GetValue("normal.z", column, row), 1., 1e-6);
+      }
+    });
   // Beside the edge the central difference is half the step: q_u = (1, 0, D h_u), h_u = -32.
   int column = 0;
   while (column < 89 && this->Plane.EntryU(column + 1) < TopEnd)
@@ -115,22 +120,24 @@ TEST_F(ReliefStep, ShadowFallsAsFarAsTheLightSays)
   this->Plane.Capture();
   int lit = 0;
   int shadowed = 0;
-  this->ForPixels([&](int column, int row, double) {
-    const double u = this->Plane.Pass->GetValue("texcoord.u", column, row);
-    const float shadow = this->Plane.Pass->GetValue("shadow.0", column, row);
-    EXPECT_EQ(this->Plane.Pass->GetValue("shadow.1", column, row), 1.f);
-    if (u > 1. / Texels && u < TopEnd)
+  this->ForPixels(
+    [&](int column, int row, double)
     {
-      EXPECT_EQ(shadow, 0.f) << "on top, u = " << u;
-    }
-    // The ray from the floor passes the edge's corner where it is 2 D away from it.
-    const double past = u - (TopEnd + 2. * Depth);
-    if (u > FloorStart && u < FloorEnd && std::abs(past) > 0.002)
-    {
-      EXPECT_EQ(shadow, past < 0. ? 1.f : 0.f) << "on the floor, u = " << u;
-      (past < 0. ? shadowed : lit) += 1;
-    }
-  });
+      const double u = this->Plane.Pass->GetValue("texcoord.u", column, row);
+      const float shadow = this->Plane.Pass->GetValue("shadow.0", column, row);
+      EXPECT_EQ(this->Plane.Pass->GetValue("shadow.1", column, row), 1.f);
+      if (u > 1. / Texels && u < TopEnd)
+      {
+        EXPECT_EQ(shadow, 0.f) << "on top, u = " << u;
+      }
+      // The ray from the floor passes the edge's corner where it is 2 D away from it.
+      const double past = u - (TopEnd + 2. * Depth);
+      if (u > FloorStart && u < FloorEnd && std::abs(past) > 0.002)
+      {
+        EXPECT_EQ(shadow, past < 0. ? 1.f : 0.f) << "on the floor, u = " << u;
+        (past < 0. ? shadowed : lit) += 1;
+      }
+    });
   EXPECT_GT(lit, 100);
   EXPECT_GT(shadowed, 100);
 }
@@ -138,20 +145,22 @@ TEST_F(ReliefStep, ShadowFallsAsFarAsTheLightSays)
 TEST_F(ReliefStep, CountsWhatItReads)
 {
   this->Plane.Capture();
-  this->ForPixels([&](int column, int row, double u) {
-    const float iterations = this->Plane.Pass->GetValue("iterations", column, row);
-    if (u < TopEnd)
+  this->ForPixels(
+    [&](int column, int row, double u)
     {
-      EXPECT_EQ(iterations, 0.f) << "the start itself is the hit";
-    }
-    if (ExpectedRelief(u, this->Plane.TravelU()) == 1.)
-    {
-      EXPECT_EQ(iterations, 128.f + 8.f);
-    }
-    const float fetches = this->Plane.Pass->GetValue("fetches", column, row);
-    EXPECT_GE(fetches, iterations);
-    EXPECT_GE(this->Plane.Pass->GetValue("texel_reads", column, row), 4.f * (fetches - 1.f));
-  });
+      const float iterations = this->Plane.Pass->GetValue("iterations", column, row);
+      if (u < TopEnd)
+      {
+        EXPECT_EQ(iterations, 0.f) << "the start itself is the hit";
+      }
+      if (ExpectedRelief(u, this->Plane.TravelU()) == 1.)
+      {
+        EXPECT_EQ(iterations, 128.f + 8.f);
+      }
+      const float fetches = this->Plane.Pass->GetValue("fetches", column, row);
+      EXPECT_GE(fetches, iterations);
+      EXPECT_GE(this->Plane.Pass->GetValue("texel_reads", column, row), 4.f * (fetches - 1.f));
+    });
 }
 
 TEST_F(ReliefStep, ObjectsAreNumbered)

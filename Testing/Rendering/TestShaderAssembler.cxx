@@ -67,8 +67,8 @@ TEST(ShaderAssembler, RenamesAKnownNumberOfPlaces)
 
 TEST(ShaderAssembler, WritesDefines)
 {
-  EXPECT_EQ(MesoShaderAssembler::DefineLines({ { "A", "" }, { "B", "2" } }),
-    "#define A\n#define B 2\n");
+  EXPECT_EQ(
+    MesoShaderAssembler::DefineLines({ { "A", "" }, { "B", "2" } }), "#define A\n#define B 2\n");
 }
 
 TEST(ShaderLibrary, HoldsTheTextsOfTheFolder)

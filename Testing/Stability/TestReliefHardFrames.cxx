@@ -77,12 +77,24 @@ protected:
 TEST_F(ReliefHardFrames, Charts)
 {
   const std::function<std::array<double, 2>(double, double)> charts[] = {
-    [](double u, double v) -> std::array<double, 2> { return { 1. - u, v }; },         // mirrored
-    [](double u, double v) -> std::array<double, 2> { return { u + 2. * v, v }; },     // sheared
-    [](double u, double v) -> std::array<double, 2> { return { 1000. * u, v }; },      // stretched
-    [](double u, double) -> std::array<double, 2> { return { u, 0. }; },               // v collapsed
-    [](double, double) -> std::array<double, 2> { return { 0.3, 0.7 }; },              // both
-    [](double u, double v) -> std::array<double, 2> { return { std::abs(u - 0.5), v }; }, // folded
+    [](double u, double v) -> std::array<double, 2> {
+      return { 1. - u, v };
+    }, // mirrored
+    [](double u, double v) -> std::array<double, 2> {
+      return { u + 2. * v, v };
+    }, // sheared
+    [](double u, double v) -> std::array<double, 2> {
+      return { 1000. * u, v };
+    }, // stretched
+    [](double u, double) -> std::array<double, 2> {
+      return { u, 0. };
+    }, // v collapsed
+    [](double, double) -> std::array<double, 2> {
+      return { 0.3, 0.7 };
+    }, // both
+    [](double u, double v) -> std::array<double, 2> {
+      return { std::abs(u - 0.5), v };
+    }, // folded
   };
   for (const auto& chart : charts)
   {
@@ -107,16 +119,19 @@ TEST_F(ReliefHardFrames, MirroredChartShowsTheMirroredRelief)
     std::reverse(value + 64 * row, value + 64 * (row + 1));
   }
   this->Mapper->SetHeightMap(map);
-  this->Mapper->SetInputData(
-    Plane([](double u, double v) -> std::array<double, 2> { return { 1. - u, v }; }, SamePlace));
+  this->Mapper->SetInputData(Plane(
+    [](double u, double v) -> std::array<double, 2> {
+      return { 1. - u, v };
+    },
+    SamePlace));
   this->Check();
   const auto mirroredDepth = this->Pass->GetChannel("depth");
   const auto mirroredNormal = this->Pass->GetChannel("normal.x");
   int different = 0;
   for (std::size_t i = 0; i < depth.size(); ++i)
   {
-    different += std::abs(depth[i] - mirroredDepth[i]) > 1e-4 ||
-        std::abs(normal[i] - mirroredNormal[i]) > 1e-2
+    different +=
+      std::abs(depth[i] - mirroredDepth[i]) > 1e-4 || std::abs(normal[i] - mirroredNormal[i]) > 1e-2
       ? 1
       : 0;
   }
@@ -128,10 +143,10 @@ TEST_F(ReliefHardFrames, Matrices)
   this->Mapper->SetInputData(MesoTestScene::Shape("torus"));
   this->Scene.LookFrom(0., 2., 5.);
   const double matrices[][16] = {
-    { -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },       // mirrored
-    { 1, 0.7, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },      // sheared
-    { 1, 0, 0, 0, 0, 0.2, 0, 0, 0, 0, 1.5, 0, 0, 0, 0, 1 },    // non-uniform
-    { 1, 0, 0, 0, 0, 1e-6, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },     // all but flat
+    { -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },    // mirrored
+    { 1, 0.7, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },   // sheared
+    { 1, 0, 0, 0, 0, 0.2, 0, 0, 0, 0, 1.5, 0, 0, 0, 0, 1 }, // non-uniform
+    { 1, 0, 0, 0, 0, 1e-6, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },  // all but flat
   };
   for (const auto& elements : matrices)
   {
@@ -149,9 +164,10 @@ TEST_F(ReliefHardFrames, SizeAndPlaceOfTheModelDoNotMatter)
   const auto relief = this->Pass->GetChannel("relief");
   for (const double size : { 1e-6, 1e-3, 1e3, 1e6 })
   {
-    this->Mapper->SetInputData(Plane(SameUV, [&](const double* p) -> std::array<double, 3> {
-      return { size * p[0], size * p[1], size * p[2] };
-    }));
+    this->Mapper->SetInputData(Plane(SameUV,
+      [&](const double* p) -> std::array<double, 3> {
+        return { size * p[0], size * p[1], size * p[2] };
+      }));
     this->Mapper->SetScale(0.05 * size);
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
     camera->SetPosition(0.4 * size, -0.8 * size, 1.6 * size);
@@ -173,9 +189,10 @@ TEST_F(ReliefHardFrames, AMillionAwayFromTheOrigin)
   this->Mapper->SetInputData(Plane(SameUV, SamePlace));
   this->Check();
   const auto relief = this->Pass->GetChannel("relief");
-  this->Mapper->SetInputData(Plane(SameUV, [](const double* p) -> std::array<double, 3> {
-    return { p[0] + 1e6, p[1] - 1e6, p[2] + 1e6 };
-  }));
+  this->Mapper->SetInputData(Plane(SameUV,
+    [](const double* p) -> std::array<double, 3> {
+      return { p[0] + 1e6, p[1] - 1e6, p[2] + 1e6 };
+    }));
   vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
   camera->SetPosition(1e6 + 0.4, -1e6 - 0.8, 1e6 + 1.6);
   camera->SetFocalPoint(1e6, -1e6, 1e6);

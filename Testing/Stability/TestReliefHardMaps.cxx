@@ -98,9 +98,11 @@ TEST_F(ReliefHardMaps, OneRowAndOneColumn)
 
 TEST_F(ReliefHardMaps, SpikeAndSlot)
 {
-  this->Check(Map(33, 17, [](int column, int row) { return column == 16 && row == 8 ? 1.f : 0.f; }));
+  this->Check(
+    Map(33, 17, [](int column, int row) { return column == 16 && row == 8 ? 1.f : 0.f; }));
   EXPECT_LT(this->ReliefRange().first, 0.5) << "the spike is not seen";
-  this->Check(Map(33, 17, [](int column, int row) { return column == 16 && row == 8 ? 0.f : 1.f; }));
+  this->Check(
+    Map(33, 17, [](int column, int row) { return column == 16 && row == 8 ? 0.f : 1.f; }));
   EXPECT_GT(this->ReliefRange().second, 0.3) << "the slot is not seen";
 }
 

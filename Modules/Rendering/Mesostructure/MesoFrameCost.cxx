@@ -64,8 +64,8 @@ MesoMilliseconds MesoSummarise(std::vector<double> milliseconds)
   return summary;
 }
 
-MesoFrameCost MesoMeasureFrame(
-  vtkOpenGLRenderWindow* window, const std::vector<vtkProp*>& props, int warmUp, int runs)
+std::vector<MesoFrameCost> MesoMeasureFrames(vtkOpenGLRenderWindow* window,
+  const std::vector<std::vector<vtkProp*>>& groups, int warmUp, int runs)
 {
   window->MakeCurrent();
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
@@ -75,35 +75,48 @@ MesoFrameCost MesoMeasureFrame(
   {
     glGenQueries(1, &query);
   }
-  const auto show = [&](bool visible) {
-    for (vtkProp* prop : props)
+  const auto show = [&](std::size_t group, bool visible)
+  {
+    for (vtkProp* prop : groups[group])
     {
       prop->SetVisibility(visible);
     }
   };
-  std::vector<double> gpu;
-  std::vector<double> frame;
+  for (std::size_t group = 0; group < groups.size(); ++group)
+  {
+    show(group, false);
+  }
+  std::vector<std::vector<double>> gpu(groups.size());
+  std::vector<std::vector<double>> frame(groups.size());
   for (int round = -warmUp; round < runs; ++round)
   {
-    show(false);
     const FrameTime without = TimeFrame(window, query);
-    show(true);
-    const FrameTime with = TimeFrame(window, query);
-    if (round >= 0)
+    for (std::size_t group = 0; group < groups.size(); ++group)
     {
-      gpu.push_back(with.Gpu - without.Gpu);
-      frame.push_back(with.Wall);
+      show(group, true);
+      const FrameTime with = TimeFrame(window, query);
+      show(group, false);
+      if (round >= 0)
+      {
+        gpu[group].push_back(with.Gpu - without.Gpu);
+        frame[group].push_back(with.Wall);
+      }
     }
   }
   if (query)
   {
     glDeleteQueries(1, &query);
   }
-  MesoFrameCost cost;
-  cost.Gpu = MesoSummarise(gpu);
-  cost.Frame = MesoSummarise(frame);
-  cost.Clock = software ? "wall clock, frame with minus frame without, each closed by glFinish"
-                        : "GL_TIME_ELAPSED, frame with minus frame without";
-  cost.Runs = runs;
-  return cost;
+  std::vector<MesoFrameCost> costs(groups.size());
+  for (std::size_t group = 0; group < groups.size(); ++group)
+  {
+    show(group, true);
+    MesoFrameCost& cost = costs[group];
+    cost.Gpu = MesoSummarise(gpu[group]);
+    cost.Frame = MesoSummarise(frame[group]);
+    cost.Clock = software ? "wall clock, frame with minus frame without, each closed by glFinish"
+                          : "GL_TIME_ELAPSED, frame with minus frame without";
+    cost.Runs = runs;
+  }
+  return costs;
 }

@@ -17,28 +17,28 @@ struct MesoMilliseconds
   double Maximum = 0.;
 };
 
-/// What a frame costs; see MesoMeasureFrame().
+/// What a frame costs; see MesoMeasureFrames().
 struct MesoFrameCost
 {
-  MesoMilliseconds Gpu;   ///< frame with the props minus frame without, by Clock
-  MesoMilliseconds Frame; ///< wall clock around render and finish, with the props
+  MesoMilliseconds Gpu;   ///< frame with the group minus frame without, by Clock
+  MesoMilliseconds Frame; ///< wall clock around render and finish, with the group
   std::string Clock;      ///< which clock Gpu was read from
   int Runs = 0;
 };
 
-///@{
 /**
- * Measure what drawing some props costs: after `warmUp` rounds, `runs` rounds of one frame with and
- * one without them, interleaved, so that a slow moment of a shared machine falls on both.
+ * Measure what drawing each of some groups of props costs: after `warmUp` rounds, `runs` rounds of
+ * one frame without any of them and one with each group alone, interleaved, so that a slow moment
+ * of a shared machine falls on all.
  *
  * On hardware the clock is GL_TIME_ELAPSED. Mesa's software rasterisers report a small part of the
  * true time by it (5 ms for 82 ms), so there it is the wall clock, each frame closed by glFinish.
  *
- * The props must be visible; they are visible again afterwards.
+ * Afterwards all props are visible.
  */
-MESORENDERINGMESOSTRUCTURE_EXPORT MesoFrameCost MesoMeasureFrame(vtkOpenGLRenderWindow* window,
-  const std::vector<vtkProp*>& props, int warmUp = 5, int runs = 20);
-///@}
+MESORENDERINGMESOSTRUCTURE_EXPORT std::vector<MesoFrameCost> MesoMeasureFrames(
+  vtkOpenGLRenderWindow* window, const std::vector<std::vector<vtkProp*>>& groups, int warmUp = 5,
+  int runs = 20);
 
 /// Median, least and greatest.
 MESORENDERINGMESOSTRUCTURE_EXPORT MesoMilliseconds MesoSummarise(std::vector<double> milliseconds);

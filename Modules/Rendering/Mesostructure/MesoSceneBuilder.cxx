@@ -32,11 +32,13 @@ public:
     : Object(object)
   {
     this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long event, void* self, void* text) {
-      auto* listener = static_cast<Listener*>(self);
-      (event == vtkCommand::ErrorEvent ? listener->Errors : listener->Warnings)
-        .push_back(Listener::Message(static_cast<const char*>(text)));
-    });
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long event, void* self, void* text)
+      {
+        auto* listener = static_cast<Listener*>(self);
+        (event == vtkCommand::ErrorEvent ? listener->Errors : listener->Warnings)
+          .push_back(Listener::Message(static_cast<const char*>(text)));
+      });
     object->AddObserver(vtkCommand::ErrorEvent, this->Command);
     object->AddObserver(vtkCommand::WarningEvent, this->Command);
   }
@@ -237,13 +239,13 @@ vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeHeightMap(
   }
   catch (const MesoInputError& problem)
   {
-    throw MesoInputError(place + ": " + (map.File.empty() ? map.Pattern : map.File) + ": " +
-      problem.what());
+    throw MesoInputError(
+      place + ": " + (map.File.empty() ? map.Pattern : map.File) + ": " + problem.what());
   }
 }
 
-vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(const MesoSceneNode& node,
-  const std::string& place, vtkImageData* heights, bool needsFrames)
+vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
+  const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames)
 {
   const MesoSceneMesh& mesh = *node.Mesh;
   if (mesh.File.empty())
@@ -333,8 +335,8 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
   }
   for (std::size_t i = 0; i < node.Children.size(); ++i)
   {
-    this->AddNode(scene, node.Children[i], place + ".children[" + std::to_string(i) + "]", matrix,
-      renderer);
+    this->AddNode(
+      scene, node.Children[i], place + ".children[" + std::to_string(i) + "]", matrix, renderer);
   }
 }
 
@@ -353,8 +355,7 @@ void MesoSceneBuilder::Build(const MesoScene& scene, vtkRenderer* renderer)
   const std::array<double, 16> identity = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   for (std::size_t i = 0; i < scene.Nodes.size(); ++i)
   {
-    this->AddNode(
-      scene, scene.Nodes[i], "nodes[" + std::to_string(i) + "]", identity, renderer);
+    this->AddNode(scene, scene.Nodes[i], "nodes[" + std::to_string(i) + "]", identity, renderer);
   }
   this->SetCamera(scene.Camera, renderer);
 }

@@ -33,7 +33,7 @@ public:
     std::string Name;
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
-    vtkSmartPointer<vtkPolyData> Mesh;      ///< with its frames
+    vtkSmartPointer<vtkPolyData> Mesh;       ///< with its frames
     vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
     MesoMesostructureOptions Options;
   };
@@ -51,8 +51,8 @@ private:
   void AddLight(const MesoSceneLight& light, const MesoSceneCamera& camera, vtkRenderer* renderer);
   void SetCamera(const MesoSceneCamera& camera, vtkRenderer* renderer);
   vtkSmartPointer<vtkImageData> MakeHeightMap(const MesoSceneMap& map, const std::string& place);
-  vtkSmartPointer<vtkPolyData> MakeMesh(const MesoSceneNode& node, const std::string& place,
-    vtkImageData* heights, bool needsFrames);
+  vtkSmartPointer<vtkPolyData> MakeMesh(
+    const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);
 
   std::vector<Object> Objects;
   std::vector<std::string> Warnings;

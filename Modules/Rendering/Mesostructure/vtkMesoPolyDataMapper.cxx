@@ -424,8 +424,8 @@ void vtkMesoPolyDataMapper::ReadTexturesAtHit(MesoShaderAssembler& fragment, vtk
     const int count = fragment.Count(asWritten);
     if (count > 0 || texture.second == "actortexture")
     {
-      fragment.Rename(asWritten, "textureAtHit(" + texture.second + ", tcoordVCVSOutput)",
-        std::max(1, count));
+      fragment.Rename(
+        asWritten, "textureAtHit(" + texture.second + ", tcoordVCVSOutput)", std::max(1, count));
     }
   }
 }
