@@ -1,6 +1,5 @@
 // Coordinates of a vector in a frame whose axes need be neither unit nor orthogonal. View and light
-// go to texture space this way (architecture.md: never by dot products), so that sheared and
-// mirrored charts are right.
+// go to texture space this way, not by dot products, so that sheared and mirrored charts are right.
 
 // Axes that span less than this volume, once each has length 1, are taken as degenerate. A solution
 // splits r into three shares, x.x * a and so on; the length of each is off by at most 4 float

@@ -1,5 +1,5 @@
 // A height map between its texels. Truth is bilinear between texel centres, which lie at
-// (i + 0.5) / size (truth-and-cost.md). Heights are in [0,1]; a map coordinate counts tiles.
+// (i + 0.5) / size. Heights are in [0,1]; a map coordinate counts tiles.
 //
 // Accessors, defined before this file:
 //   float fetchHeight(ivec2 texel)  height of a texel inside the map
@@ -106,8 +106,8 @@ float bilinearHeight(vec2 uv)
   return below + weight.y * (above - below);
 }
 
-// (dh/du, dh/dv), height per map coordinate, of the shading normal (truth-and-cost.md, `normal`):
-// central differences over one texel at the texel centres, interpolated bilinearly. 12 texels.
+// (dh/du, dh/dv), height per map coordinate, of the shading normal: central differences over one
+// texel at the texel centres, interpolated bilinearly. 12 texels.
 vec2 heightGradient(vec2 uv)
 {
   ivec2 low;
