@@ -9,6 +9,7 @@
 #include "MesoTestScene.h"
 
 #include "vtkMesoAOVPass.h"
+#include "vtkMesoReliefMapper.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -57,5 +58,32 @@ inline int MesoCheckEveryPixel(const vtkMesoAOVPass* pass)
   EXPECT_EQ(wrong, 0) << "normals that are not unit";
   return covered;
 }
+
+/// One shape with relief, and its AOVs.
+class MesoReliefAOVs : public testing::Test
+{
+protected:
+  MesoTestScene Scene{ 96, 96 };
+  vtkNew<vtkMesoReliefMapper> Mapper;
+  vtkNew<vtkMesoAOVPass> Pass;
+
+  MesoReliefAOVs()
+  {
+    this->Mapper->SetHeightMap(MesoTestScene::Pattern("brick"));
+    this->Mapper->SetScale(0.1);
+    this->Scene.Actor->SetMapper(this->Mapper);
+    this->Scene.AddDirectionalLight(1., 1., -2.);
+    this->Scene.LookFrom(0.4, -0.8, 1.6);
+  }
+
+  ~MesoReliefAOVs() override { this->Pass->ReleaseGraphicsResources(this->Scene.Window); }
+
+  /// Captures and checks every pixel; gives the number of covered ones.
+  int Check()
+  {
+    MesoCapture(this->Scene, this->Pass);
+    return MesoCheckEveryPixel(this->Pass);
+  }
+};
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "MesoAOVChecks.h"
 
-#include "vtkMesoReliefMapper.h"
 #include "vtkMesoSurfaceFrames.h"
 
 #include "vtkDoubleArray.h"
@@ -16,29 +15,13 @@
 
 namespace
 {
-class ReliefHardFrames : public testing::Test
+class ReliefHardFrames : public MesoReliefAOVs
 {
 protected:
-  MesoTestScene Scene{ 96, 96 };
-  vtkNew<vtkMesoReliefMapper> Mapper;
-  vtkNew<vtkMesoAOVPass> Pass;
-
   void SetUp() override
   {
-    this->Mapper->SetHeightMap(MesoTestScene::Pattern("brick"));
     this->Mapper->SetScale(0.05);
     this->Mapper->SetTiles(2., 2.);
-    this->Scene.Actor->SetMapper(this->Mapper);
-    this->Scene.AddDirectionalLight(1., 1., -2.);
-    this->Scene.LookFrom(0.4, -0.8, 1.6);
-  }
-
-  void TearDown() override { this->Pass->ReleaseGraphicsResources(this->Scene.Window); }
-
-  int Check()
-  {
-    MesoCapture(this->Scene, this->Pass);
-    return MesoCheckEveryPixel(this->Pass);
   }
 
   /// A plane whose texture coordinates and points (in double) are changed, with frames made anew.

@@ -4,8 +4,6 @@
 #include "MesoAOVChecks.h"
 #include "MesoExpectedMessages.h"
 
-#include "vtkMesoReliefMapper.h"
-
 #include <functional>
 
 namespace
@@ -27,29 +25,15 @@ vtkSmartPointer<vtkImageData> Map(
   return image;
 }
 
-class ReliefHardMaps : public testing::Test
+class ReliefHardMaps : public MesoReliefAOVs
 {
 protected:
-  MesoTestScene Scene{ 96, 96 };
-  vtkNew<vtkMesoReliefMapper> Mapper;
-  vtkNew<vtkMesoAOVPass> Pass;
-
-  void SetUp() override
-  {
-    this->Mapper->SetScale(0.1);
-    this->Mapper->SetInputData(MesoTestScene::Shape("plane"));
-    this->Scene.Actor->SetMapper(this->Mapper);
-    this->Scene.AddDirectionalLight(1., 1., -2.);
-    this->Scene.LookFrom(0.4, -0.8, 1.6);
-  }
-
-  void TearDown() override { this->Pass->ReleaseGraphicsResources(this->Scene.Window); }
+  void SetUp() override { this->Mapper->SetInputData(MesoTestScene::Shape("plane")); }
 
   int Check(vtkImageData* map)
   {
     this->Mapper->SetHeightMap(map);
-    MesoCapture(this->Scene, this->Pass);
-    return MesoCheckEveryPixel(this->Pass);
+    return this->MesoReliefAOVs::Check();
   }
 
   /// Least and greatest relief over the covered pixels.
@@ -69,13 +53,13 @@ protected:
 };
 }
 
-TEST_F(ReliefHardMaps, AllHigh)
+TEST_F(ReliefHardMaps, HighEverywhere)
 {
   EXPECT_GT(this->Check(Map(8, 8, [](int, int) { return 1.f; })), 3000);
   EXPECT_EQ(this->ReliefRange(), (std::pair<float, float>(0.f, 0.f)));
 }
 
-TEST_F(ReliefHardMaps, AllLow)
+TEST_F(ReliefHardMaps, LowEverywhere)
 {
   EXPECT_GT(this->Check(Map(8, 8, [](int, int) { return 0.f; })), 3000);
   EXPECT_EQ(this->ReliefRange(), (std::pair<float, float>(1.f, 1.f)));

@@ -4,36 +4,23 @@
 
 #include "MesoAOVChecks.h"
 
-#include "vtkMesoReliefMapper.h"
-
 namespace
 {
-class ReliefHardViews : public testing::Test
+class ReliefHardViews : public MesoReliefAOVs
 {
 protected:
-  MesoTestScene Scene{ 96, 96 };
-  vtkNew<vtkMesoReliefMapper> Mapper;
-  vtkNew<vtkMesoAOVPass> Pass;
-
   void SetUp() override
   {
-    this->Mapper->SetHeightMap(MesoTestScene::Pattern("brick"));
-    this->Mapper->SetScale(0.1);
     this->Mapper->SetTiles(4., 4.);
     this->Use("plane");
-    this->Scene.Actor->SetMapper(this->Mapper);
-    this->Scene.AddDirectionalLight(1., 1., -2.);
   }
-
-  void TearDown() override { this->Pass->ReleaseGraphicsResources(this->Scene.Window); }
 
   void Use(const std::string& shape) { this->Mapper->SetInputData(MesoTestScene::Shape(shape)); }
 
   /// Checks every pixel; relief must cover just what the base mesh covers.
   int Check()
   {
-    MesoCapture(this->Scene, this->Pass);
-    const int covered = MesoCheckEveryPixel(this->Pass);
+    const int covered = this->MesoReliefAOVs::Check();
     const auto relief = this->Pass->GetChannel("coverage");
     const double scale = this->Mapper->GetScale();
     this->Mapper->SetScale(0.);

@@ -3,6 +3,7 @@
 #include "vtkMesoPolyDataMapper.h"
 
 #include "MesoShaderAssembler.h"
+#include "MesoShaderBuild.h"
 #include "MesoShaderLibrary.h"
 #include "MesoTechniqueShader.h"
 #include "vtkActor.h"
@@ -63,25 +64,6 @@ bool InLightingMap(vtkActor* actor)
   return info &&
     (info->Has(vtkLightingMapPass::RENDER_NORMALS()) ||
       info->Has(vtkLightingMapPass::RENDER_LUMINANCE()));
-}
-
-/// One line of GLSL for a light: the call that shades by it.
-std::string LightCall(int complexity, int index)
-{
-  const std::string i = std::to_string(index);
-  // vtkShadowMapPass rewrites just this line.
-  const std::string radiance = "  radiance = lightColor" + i + ";\n";
-  if (complexity == 1)
-  {
-    return radiance +
-      "  shadeHeadlight(radiance, normalVCVSOutput, diffuseColor, specularPower);\n";
-  }
-  const std::string light = complexity == 2 ? "directionalLight(lightDirectionVC" + i + ")"
-                                            : "positionalLight(vertexVC.xyz, lightPositional" + i +
-      ", lightDirectionVC" + i + ", lightPositionVC" + i + ", lightAttenuation" + i +
-      ", lightConeAngle" + i + ", lightExponent" + i + ")";
-  return radiance + "  shade(" + i + ", " + light +
-    ", radiance, normalVCVSOutput, vertexVC.xyz, specularPower);\n";
 }
 
 void DumpShader(const char* stage, const std::string& text)
@@ -285,15 +267,14 @@ void vtkMesoPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-vtkMesoPolyDataMapper::Build vtkMesoPolyDataMapper::DescribeBuild(
-  vtkOpenGLHelper& cellBO, vtkActor* actor)
+MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
-  Build build;
+  MesoShaderBuild build;
   const auto& info = this->PrimitiveInfo[&cellBO];
   build.LightComplexity = info.LastLightCount > 0 ? info.LastLightComplexity : 0;
   build.LightCount = info.LastLightCount;
   build.Lit = info.LastLightComplexity > 0;
-  build.AOV = InPass<vtkMesoAOVPass>(actor);
+  const bool aov = InPass<vtkMesoAOVPass>(actor);
   build.OwnLighting = build.LightComplexity > 0 &&
     actor->GetProperty()->GetInterpolation() != VTK_PBR && !InLightingMap(actor);
 
@@ -302,8 +283,9 @@ vtkMesoPolyDataMapper::Build vtkMesoPolyDataMapper::DescribeBuild(
     cellBO.PrimitiveType == PrimitiveTris || cellBO.PrimitiveType == PrimitiveTriStrips;
   const MesoShaderShape shape =
     this->Fallback ? this->Plain->GetShape() : this->GetTechnique()->GetShape();
-  build.Surface = triangles && !this->PointPicking && (shape.Traces || build.AOV) &&
+  build.Surface = triangles && !this->PointPicking && (shape.Traces || aov) &&
     points->GetNormals() && points->GetTCoords();
+  build.Chunks = shape.Chunks;
   build.Traces = build.Surface && shape.Traces;
   build.WritesDepth = build.Traces && shape.WritesDepth;
   build.Textured =
@@ -318,7 +300,7 @@ vtkMesoPolyDataMapper::Build vtkMesoPolyDataMapper::DescribeBuild(
     }
   };
   define("MESO_SURFACE", build.Surface);
-  define("MESO_AOV", build.AOV && build.Surface);
+  define("MESO_AOV", aov && build.Surface);
   define("MESO_LIT", build.Lit);
   define("MESO_LIGHTING", build.OwnLighting);
   define("MESO_HEADLIGHT", build.LightComplexity == 1);
@@ -348,67 +330,6 @@ bool vtkMesoPolyDataMapper::GetNeedToRebuildShaders(
   }
   built = wanted;
   return true;
-}
-
-void vtkMesoPolyDataMapper::SpliceVertexShader(
-  const Build& build, MesoShaderAssembler& vertex) const
-{
-  vertex.Before("//VTK::CustomUniforms::Dec", "Common/VertexDec.glsl",
-    build.Definitions + MesoShaderText("Common/VertexDec.glsl"));
-  vertex.Before(
-    "//VTK::CustomEnd::Impl", "Common/VertexImpl.glsl", MesoShaderText("Common/VertexImpl.glsl"));
-}
-
-void vtkMesoPolyDataMapper::SpliceGeometryShader(
-  const Build& build, MesoShaderAssembler& geometry) const
-{
-  // Edges and wide lines bring a geometry shader: without these lines everything that the vertices
-  // hand on would be undefined in the fragments, with no error.
-  geometry.Before("//VTK::TCoord::Dec", "Common/GeometryDec.glsl",
-    build.Definitions + MesoShaderText("Common/GeometryDec.glsl"));
-  geometry.Before(
-    "//VTK::TCoord::Impl", "Common/GeometryImpl.glsl", MesoShaderText("Common/GeometryImpl.glsl"));
-}
-
-void vtkMesoPolyDataMapper::SpliceFragmentShader(
-  const Build& build, MesoShaderAssembler& fragment) const
-{
-  const auto declare = [&](const std::string& name)
-  { fragment.Before("//VTK::CustomUniforms::Dec", name, MesoShaderText(name)); };
-  fragment.Before("//VTK::CustomUniforms::Dec", "definitions", build.Definitions);
-  if (build.Surface)
-  {
-    declare("Common/Surface.glsl");
-    const MesoTechniqueShader* technique =
-      this->Fallback ? this->Plain.get() : const_cast<vtkMesoPolyDataMapper*>(this)->GetTechnique();
-    for (const std::string& chunk : technique->GetShape().Chunks)
-    {
-      declare(chunk);
-    }
-    fragment.Before(
-      "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl", MesoShaderText("Common/TraceImpl.glsl"));
-  }
-  if (build.Textured)
-  {
-    declare("Common/TextureDec.glsl");
-    fragment.Before("//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl",
-      MesoShaderText("Common/TextureImpl.glsl"));
-  }
-  if (build.WritesDepth)
-  {
-    declare("Common/DepthDec.glsl");
-    fragment.Before(
-      "//VTK::Depth::Impl", "Common/DepthImpl.glsl", MesoShaderText("Common/DepthImpl.glsl"));
-  }
-  if (build.OwnLighting)
-  {
-    declare("Common/Lighting.glsl");
-  }
-  if (build.Traces && build.Lit)
-  {
-    fragment.After(
-      "//VTK::Normal::Impl", "Common/NormalImpl.glsl", MesoShaderText("Common/NormalImpl.glsl"));
-  }
 }
 
 void vtkMesoPolyDataMapper::ReadTexturesAtHit(MesoShaderAssembler& fragment, vtkActor* actor)
@@ -441,21 +362,21 @@ void vtkMesoPolyDataMapper::Report(const MesoShaderAssembler& assembler)
 void vtkMesoPolyDataMapper::ReplaceShaderValues(
   Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
 {
-  const Build build = this->DescribeBuild(*this->LastBoundBO, actor);
+  const MesoShaderBuild build = this->DescribeBuild(*this->LastBoundBO, actor);
   MesoShaderAssembler vertex("vertex shader", shaders[vtkShader::Vertex]->GetSource());
   MesoShaderAssembler geometry("geometry shader", shaders[vtkShader::Geometry]->GetSource());
   MesoShaderAssembler fragment("fragment shader", shaders[vtkShader::Fragment]->GetSource());
   if (build.Surface)
   {
-    this->SpliceVertexShader(build, vertex);
+    build.SpliceVertexShader(vertex);
     if (!geometry.GetText().empty())
     {
-      this->SpliceGeometryShader(build, geometry);
+      build.SpliceGeometryShader(geometry);
     }
   }
   if (build.Surface || build.OwnLighting)
   {
-    this->SpliceFragmentShader(build, fragment);
+    build.SpliceFragmentShader(fragment);
   }
   shaders[vtkShader::Vertex]->SetSource(vertex.GetText());
   shaders[vtkShader::Geometry]->SetSource(geometry.GetText());
@@ -480,25 +401,15 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
 void vtkMesoPolyDataMapper::ReplaceShaderLight(
   Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
 {
-  const Build build = this->DescribeBuild(*this->LastBoundBO, actor);
+  const MesoShaderBuild build = this->DescribeBuild(*this->LastBoundBO, actor);
   if (!build.OwnLighting)
   {
     this->Superclass::ReplaceShaderLight(shaders, renderer, actor);
     return;
   }
-  std::string calls;
-  for (int i = 0; i < build.LightCount; ++i)
-  {
-    calls += LightCall(build.LightComplexity, i);
-  }
-  MesoShaderAssembler light("light chunk", MesoShaderText("Common/LightImpl.glsl"));
-  light.Replace("//MESO::Lights", "lights", calls);
   MesoShaderAssembler fragment("fragment shader", shaders[vtkShader::Fragment]->GetSource());
-  fragment.Before("//VTK::Light::Impl", "Common/LightImpl.glsl", light.GetText());
-  fragment.Replace("//VTK::Light::Dec", "lights' uniforms",
-    static_cast<vtkOpenGLRenderer*>(renderer)->GetLightingUniforms());
+  build.AddLighting(fragment, static_cast<vtkOpenGLRenderer*>(renderer)->GetLightingUniforms());
   shaders[vtkShader::Fragment]->SetSource(fragment.GetText());
-  this->Report(light);
   this->Report(fragment);
 }
 

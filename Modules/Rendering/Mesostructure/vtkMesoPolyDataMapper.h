@@ -43,6 +43,7 @@
 
 class MesoShaderAssembler;
 class MesoTechniqueShader;
+struct MesoShaderBuild;
 struct MesoShaderShape;
 
 class MESORENDERINGMESOSTRUCTURE_EXPORT vtkMesoPolyDataMapper : public vtkOpenGLPolyDataMapper
@@ -112,28 +113,11 @@ private:
   vtkMesoPolyDataMapper(const vtkMesoPolyDataMapper&) = delete;
   void operator=(const vtkMesoPolyDataMapper&) = delete;
 
-  /// What decides a shader's text beside VTK's own state.
-  struct Build
-  {
-    bool Surface = false; ///< the contract of Shaders/Common/Surface.glsl is in the shader
-    bool Lit = false;
-    bool OwnLighting = false;
-    bool Textured = false;
-    bool AOV = false;
-    bool Traces = false;
-    bool WritesDepth = false;
-    int LightComplexity = 0;
-    int LightCount = 0;
-    std::string Definitions; ///< all defines and chunks of the technique, as text
-  };
-  Build DescribeBuild(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  MesoShaderBuild DescribeBuild(vtkOpenGLHelper& cellBO, vtkActor* actor);
 
   /// Why the technique cannot be drawn on the input or in these passes; empty when it can.
   std::string WhyNot(const MesoShaderShape& shape, vtkActor* actor);
   void MapAttributes(const MesoShaderShape& shape, bool aov);
-  void SpliceVertexShader(const Build& build, MesoShaderAssembler& vertex) const;
-  void SpliceGeometryShader(const Build& build, MesoShaderAssembler& geometry) const;
-  void SpliceFragmentShader(const Build& build, MesoShaderAssembler& fragment) const;
   void ReadTexturesAtHit(MesoShaderAssembler& fragment, vtkActor* actor);
   void Report(const MesoShaderAssembler& assembler);
   void WarnOnce(const std::string& reason);

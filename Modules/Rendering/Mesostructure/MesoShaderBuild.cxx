@@ -1,0 +1,96 @@
+#include "MesoShaderBuild.h"
+
+#include "MesoShaderAssembler.h"
+#include "MesoShaderLibrary.h"
+
+namespace
+{
+/// One line of GLSL for a light: the call that shades by it.
+std::string LightCall(int complexity, int index)
+{
+  const std::string i = std::to_string(index);
+  // vtkShadowMapPass rewrites just this line.
+  const std::string radiance = "  radiance = lightColor" + i + ";\n";
+  if (complexity == 1)
+  {
+    return radiance +
+      "  shadeHeadlight(radiance, normalVCVSOutput, diffuseColor, specularPower);\n";
+  }
+  const std::string light = complexity == 2 ? "directionalLight(lightDirectionVC" + i + ")"
+                                            : "positionalLight(vertexVC.xyz, lightPositional" + i +
+      ", lightDirectionVC" + i + ", lightPositionVC" + i + ", lightAttenuation" + i +
+      ", lightConeAngle" + i + ", lightExponent" + i + ")";
+  return radiance + "  shade(" + i + ", " + light +
+    ", radiance, normalVCVSOutput, vertexVC.xyz, specularPower);\n";
+}
+
+/// Splices the text of a chunk of Shaders/ before a hook.
+void Before(MesoShaderAssembler& shader, const char* hook, const std::string& chunk)
+{
+  shader.Before(hook, chunk, MesoShaderText(chunk));
+}
+}
+
+void MesoShaderBuild::SpliceVertexShader(MesoShaderAssembler& vertex) const
+{
+  vertex.Before("//VTK::CustomUniforms::Dec", "definitions", this->Definitions);
+  Before(vertex, "//VTK::CustomUniforms::Dec", "Common/VertexDec.glsl");
+  Before(vertex, "//VTK::CustomEnd::Impl", "Common/VertexImpl.glsl");
+}
+
+void MesoShaderBuild::SpliceGeometryShader(MesoShaderAssembler& geometry) const
+{
+  // Edges and wide lines bring a geometry shader: without these lines everything that the vertices
+  // hand on would be undefined in the fragments, with no error.
+  geometry.Before("//VTK::TCoord::Dec", "definitions", this->Definitions);
+  Before(geometry, "//VTK::TCoord::Dec", "Common/GeometryDec.glsl");
+  Before(geometry, "//VTK::TCoord::Impl", "Common/GeometryImpl.glsl");
+}
+
+void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
+{
+  const char* const declarations = "//VTK::CustomUniforms::Dec";
+  fragment.Before(declarations, "definitions", this->Definitions);
+  if (this->Surface)
+  {
+    Before(fragment, declarations, "Common/Surface.glsl");
+    for (const std::string& chunk : this->Chunks)
+    {
+      Before(fragment, declarations, chunk);
+    }
+    Before(fragment, "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl");
+  }
+  if (this->Textured)
+  {
+    Before(fragment, declarations, "Common/TextureDec.glsl");
+    Before(fragment, "//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl");
+  }
+  if (this->WritesDepth)
+  {
+    Before(fragment, declarations, "Common/DepthDec.glsl");
+    Before(fragment, "//VTK::Depth::Impl", "Common/DepthImpl.glsl");
+  }
+  if (this->OwnLighting)
+  {
+    Before(fragment, declarations, "Common/Lighting.glsl");
+  }
+  if (this->Traces && this->Lit)
+  {
+    fragment.After(
+      "//VTK::Normal::Impl", "Common/NormalImpl.glsl", MesoShaderText("Common/NormalImpl.glsl"));
+  }
+}
+
+void MesoShaderBuild::AddLighting(
+  MesoShaderAssembler& fragment, const std::string& lightUniforms) const
+{
+  std::string calls;
+  for (int i = 0; i < this->LightCount; ++i)
+  {
+    calls += LightCall(this->LightComplexity, i);
+  }
+  // VTK leaves its hook in place for what comes after lighting.
+  Before(fragment, "//VTK::Light::Impl", "Common/LightImpl.glsl");
+  fragment.Replace("//MESO::Lights", "lights", calls);
+  fragment.Replace("//VTK::Light::Dec", "lights' uniforms", lightUniforms);
+}

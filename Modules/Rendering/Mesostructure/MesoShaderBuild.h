@@ -1,0 +1,37 @@
+#ifndef MesoShaderBuild_h
+#define MesoShaderBuild_h
+
+#include <string>
+#include <vector>
+
+class MesoShaderAssembler;
+
+/**
+ * @class MesoShaderBuild
+ * @brief What decides the text of one of a mapper's shaders, and the splicing that follows from it.
+ *
+ * Chunks are those of Shaders/; Shaders/README.md lists which hook each goes to. Splice before VTK
+ * consumes the hooks; AddLighting is for vtkOpenGLPolyDataMapper::ReplaceShaderLight.
+ */
+struct MesoShaderBuild
+{
+  bool Surface = false;     ///< the contract of Shaders/Common/Surface.glsl is in the shader
+  bool Traces = false;      ///< the technique looks for a surface other than the base mesh
+  bool WritesDepth = false; ///< the depth buffer is that of the detail
+  bool Lit = false;         ///< VTK's normal and position are in the shader
+  bool OwnLighting = false; ///< Shaders/Common/Lighting.glsl in place of VTK's
+  bool Textured = false;    ///< colour textures are read where the ray hit
+  int LightComplexity = 0;  ///< VTK's: 0 none, 1 a headlight, 2 directional lights, 3 any
+  int LightCount = 0;
+  std::vector<std::string> Chunks; ///< kernels and technique
+  std::string Definitions;         ///< `#define` lines; unequal ones ask for a new shader
+
+  void SpliceVertexShader(MesoShaderAssembler& vertex) const;
+  void SpliceGeometryShader(MesoShaderAssembler& geometry) const;
+  void SpliceFragmentShader(MesoShaderAssembler& fragment) const;
+
+  /// Put the lighting in place of VTK's. `lightUniforms` declares VTK's uniforms of the lights.
+  void AddLighting(MesoShaderAssembler& fragment, const std::string& lightUniforms) const;
+};
+
+#endif
