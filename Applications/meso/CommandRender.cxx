@@ -1,5 +1,6 @@
 #include "CommandRender.h"
 
+#include "MesoAtomicFile.h"
 #include "MesoSceneBuilder.h"
 #include "RenderResults.h"
 #include "vtkMesoAOVPass.h"
@@ -12,7 +13,6 @@
 #include <chrono>
 #include <cstdio>
 #include <iostream>
-#include <sstream>
 #include <unistd.h>
 
 namespace
@@ -33,14 +33,17 @@ std::string Joined(const std::vector<std::string>& names)
 
 std::vector<std::string> SplitAtCommas(const std::string& text)
 {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  std::string part;
-  while (std::getline(stream, part, ','))
+  std::vector<std::string> parts; // empty ones as well, which no list of names takes
+  for (std::size_t start = 0;;)
   {
-    parts.push_back(part);
+    const std::size_t comma = text.find(',', start);
+    parts.push_back(text.substr(start, comma - start));
+    if (comma == std::string::npos)
+    {
+      return parts;
+    }
+    start = comma + 1;
   }
-  return parts;
 }
 
 std::array<int, 2> ParseSize(const std::string& text)
@@ -118,7 +121,7 @@ CommandRender::CommandRender(CLI::App& app)
       [](const std::string& name)
       {
         const bool png = name.size() > 4 && name.compare(name.size() - 4, 4, ".png") == 0;
-        return png ? std::string() : "'" + name + "' does not end in .png";
+        return png ? std::string() : "'" + name + "' is no file name that ends in .png";
       });
   command->add_option_function<std::string>(
     "--size", [this](const std::string& text) { this->Size = ParseSize(text); },
@@ -160,7 +163,9 @@ CommandRender::CommandRender(CLI::App& app)
       Joined(AOVGroups));
   command->add_option("--samples", this->Samples, "Samples a pixel of the picture (default: 1)")
     ->check(CLI::Range(1, 4096));
-  command->add_option("--stats", this->StatsFile, "JSON file for the figures of cost");
+  command->add_option("--stats", this->StatsFile, "JSON file for the figures of cost")
+    ->check([](const std::string& name)
+      { return name.empty() ? std::string("'' is no file name") : std::string(); });
   command->footer("Example: meso render scene.json -o scene.png --size 800x600 --samples 8");
 }
 
@@ -192,10 +197,23 @@ void CommandRender::Override(std::vector<MesoSceneNode>& nodes) const
   }
 }
 
+void CommandRender::CheckFileNames() const
+{
+  for (const std::string& name : { this->Output,
+         this->Channels.empty() ? std::string() : AOVFileName(this->Output), this->StatsFile })
+  {
+    if (!name.empty())
+    {
+      const MesoAtomicFile possible(name); // which throws where it is not
+    }
+  }
+}
+
 int CommandRender::Run()
 {
   MesoScene scene = MesoReadScene(this->SceneFile);
   this->Override(scene.Nodes);
+  this->CheckFileNames();
 
   vtkNew<vtkMesoEGLRenderWindow> window;
   window->SetMultiSamples(0);
@@ -219,21 +237,28 @@ int CommandRender::Run()
   const double prepareSeconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  WritePicture(window, renderer, this->Samples, this->Output, ProgressBar());
-
+  // All is rendered before anything is written, so that a job that fails leaves nothing.
+  const std::string picture = RenderPicture(window, renderer, this->Samples, ProgressBar());
+  vtkNew<vtkMesoAOVPass> pass;
+  std::string stats;
   if (!this->Channels.empty() || !this->StatsFile.empty())
   {
-    vtkNew<vtkMesoAOVPass> pass;
     CaptureAOVs(window, renderer, builder, pass);
-    if (!this->Channels.empty())
-    {
-      WriteAOVs(pass, ChannelsOfGroups(this->Channels, pass), builder, AOVFileName(this->Output));
-    }
-    if (!this->StatsFile.empty())
-    {
-      WriteStats(window, renderer, builder, pass, prepareSeconds, this->StatsFile);
-    }
-    pass->ReleaseGraphicsResources(window);
   }
+  if (!this->StatsFile.empty())
+  {
+    stats = MeasureStats(window, renderer, builder, pass, prepareSeconds);
+  }
+  pass->ReleaseGraphicsResources(window);
+
+  if (!this->Channels.empty())
+  {
+    WriteAOVs(pass, ChannelsOfGroups(this->Channels, pass), builder, AOVFileName(this->Output));
+  }
+  if (!this->StatsFile.empty())
+  {
+    MesoAtomicFile::Write(this->StatsFile, stats.data(), stats.size());
+  }
+  MesoAtomicFile::Write(this->Output, picture.data(), picture.size());
   return 0;
 }

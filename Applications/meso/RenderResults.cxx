@@ -1,6 +1,5 @@
 #include "RenderResults.h"
 
-#include "MesoAtomicFile.h"
 #include "MesoExr.h"
 #include "MesoFrameCost.h"
 #include "MesoSceneBuilder.h"
@@ -62,8 +61,8 @@ nlohmann::json OneOrList(const std::set<std::string>& values)
 }
 }
 
-void WritePicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
-  const std::string& fileName, const std::function<void(double)>& progress)
+std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
+  const std::function<void(double)>& progress)
 {
   const int* size = window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -98,8 +97,8 @@ void WritePicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int sam
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  MesoAtomicFile::Write(
-    fileName, bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
+  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
 }
 
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
@@ -161,9 +160,8 @@ void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& chann
     pass->GetInterleaved(channels).data(), attributes);
 }
 
-void WriteStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
-  const MesoSceneBuilder& builder, const vtkMesoAOVPass* pass, double prepareSeconds,
-  const std::string& fileName)
+std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
+  const MesoSceneBuilder& builder, const vtkMesoAOVPass* pass, double prepareSeconds)
 {
   std::vector<vtkProp*> props;
   std::set<std::string> techniques;
@@ -216,6 +214,5 @@ void WriteStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   stats["triangles"] = triangles;
   stats["device"] = window->GetGLRenderer();
   stats["version"] = MESO_VERSION;
-  const std::string text = stats.dump(2) + "\n";
-  MesoAtomicFile::Write(fileName, text.data(), text.size());
+  return stats.dump(2) + "\n";
 }

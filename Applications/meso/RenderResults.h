@@ -15,13 +15,13 @@ class vtkRenderer;
  * @file RenderResults.h
  * @brief What a rendered scene leaves behind: the picture, its AOVs and its figures of cost.
  *
- * Files are written beside their place and then renamed. Failures throw MesoInputError.
+ * Failures throw MesoInputError.
  */
 
-/// Render `samples` times, each with the pixels' centres moved a little, and write the mean.
-/// `progress` is called with the part that is done.
-void WritePicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
-  const std::string& fileName, const std::function<void(double)>& progress);
+/// Render `samples` times, each with the pixels' centres moved a little. Returns the mean as the
+/// bytes of a PNG file. `progress` is called with the part that is done.
+std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
+  const std::function<void(double)>& progress);
 
 /// Render once with one sample a pixel and keep every pixel's numbers in `pass`.
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
@@ -31,12 +31,12 @@ void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
 std::vector<std::string> ChannelsOfGroups(
   const std::vector<std::string>& groups, const vtkMesoAOVPass* pass);
 
+/// Write an EXR file, beside its place first.
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
   const MesoSceneBuilder& builder, const std::string& fileName);
 
-/// Measure and write the figures of cost as one JSON object.
-void WriteStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
-  const MesoSceneBuilder& builder, const vtkMesoAOVPass* pass, double prepareSeconds,
-  const std::string& fileName);
+/// Measure the figures of cost. Returns one JSON object.
+std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
+  const MesoSceneBuilder& builder, const vtkMesoAOVPass* pass, double prepareSeconds);
 
 #endif

@@ -11,17 +11,28 @@ int main(int argc, char* argv[])
 {
   CLI::App app("Fine surface relief on coarse meshes.", "meso");
   app.set_version_flag("--version", std::string("meso ") + MESO_VERSION);
-  app.require_subcommand(1);
-  app.footer("Each command has its own help: meso render --help");
+  app.require_subcommand(0, 1); // so that a mistyped command is named: see below
+  app.footer("Example: meso render scene.json -o scene.png\n"
+             "Each command has its own help: meso render --help");
   CommandRender render(app);
   try
   {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty())
+    {
+      throw CLI::RequiredError("A command");
+    }
     return render.Run();
+  }
+  catch (const CLI::Success& asked) // help, version
+  {
+    return app.exit(asked, std::cout, std::cerr);
   }
   catch (const CLI::ParseError& problem)
   {
-    return app.exit(problem, std::cout, std::cerr) == 0 ? 0 : 2;
+    const char* help = app.get_subcommands().empty() ? "meso --help" : "meso render --help";
+    std::cerr << "meso: " << problem.what() << " (see " << help << ")\n";
+    return 2;
   }
   catch (const std::exception& problem)
   {
