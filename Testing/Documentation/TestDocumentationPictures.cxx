@@ -1,0 +1,102 @@
+// Every picture in Documentation/Images is what the program renders from a scene in Data/Scenes.
+
+#include "MesoBaseline.h"
+#include "RunMeso.h"
+#include "TemporaryFolder.h"
+
+#include "vtkImageData.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <ostream>
+#include <set>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+struct Picture
+{
+  const char* Name;  ///< Documentation/Images/<Name>.png
+  const char* Scene; ///< Data/Scenes/<Scene>
+  const char* Size;
+};
+
+// GoogleTest puts it into the test's name, which must not change from run to run.
+void PrintTo(const Picture& picture, std::ostream* stream)
+{
+  *stream << picture.Size;
+}
+
+const Picture Pictures[] = {
+  { "Demo", "demo.json", "400x300" },
+  { "ReliefColumn", "Documentation/ReliefColumn.json", "400x300" },
+  { "ReliefDraft", "Documentation/ReliefDraft.json", "400x300" },
+  { "ReliefHigh", "Documentation/ReliefHigh.json", "400x300" },
+  { "ReliefSilhouette", "Documentation/ReliefSilhouette.json", "400x300" },
+  { "PatternBrick", "Documentation/PatternBrick.json", "320x240" },
+  { "PatternNoise", "Documentation/PatternNoise.json", "320x240" },
+  { "PatternSmooth", "Documentation/PatternSmooth.json", "320x240" },
+  { "PatternStep", "Documentation/PatternStep.json", "320x240" },
+  { "ShapeCylinder", "Documentation/ShapeCylinder.json", "320x240" },
+  { "ShapePlane", "Documentation/ShapePlane.json", "320x240" },
+  { "ShapeSphere", "Documentation/ShapeSphere.json", "320x240" },
+  { "ShapeTorus", "Documentation/ShapeTorus.json", "320x240" },
+};
+
+constexpr std::uintmax_t LargestPicture = 150000; // bytes
+
+class DocumentationPicture : public testing::TestWithParam<Picture>
+{
+};
+
+/// Names without their extension.
+std::set<std::string> NamesIn(const std::string& folder, const std::string& extension)
+{
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    if (entry.path().extension() == extension)
+    {
+      names.insert(entry.path().stem().string());
+    }
+  }
+  return names;
+}
+}
+
+TEST_P(DocumentationPicture, IsWhatTheProgramRenders)
+{
+  const Picture& picture = GetParam();
+  const TemporaryFolder folder;
+  const std::string file = folder.PathOf("picture.png");
+  const MesoRun run = RunMeso({ "render", std::string(MESO_SCENES) + "/" + picture.Scene, "-o",
+    file, "--size", picture.Size, "--samples", "4" });
+  ASSERT_EQ(run.ExitCode, 0) << run.Messages;
+  EXPECT_EQ(run.Messages, "");
+  EXPECT_TRUE(MesoCompareWithBaseline(
+    MesoReadPNG(file), picture.Name, MesoImageLimits(), { MESO_IMAGES, MESO_OUTPUT_FOLDER }));
+
+  const std::string kept = std::string(MESO_IMAGES) + "/" + picture.Name + ".png";
+  EXPECT_LE(fs::file_size(kept), LargestPicture);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pictures, DocumentationPicture, testing::ValuesIn(Pictures),
+  [](const auto& info) { return std::string(info.param.Name); });
+
+TEST(DocumentationPictures, HaveATestEach)
+{
+  std::set<std::string> pictures;
+  std::set<std::string> scenes;
+  for (const Picture& picture : Pictures)
+  {
+    pictures.insert(picture.Name);
+    const fs::path scene = picture.Scene;
+    if (scene.has_parent_path())
+    {
+      scenes.insert(scene.stem().string());
+    }
+  }
+  EXPECT_EQ(NamesIn(MESO_IMAGES, ".png"), pictures);
+  EXPECT_EQ(NamesIn(std::string(MESO_SCENES) + "/Documentation", ".json"), scenes);
+}
