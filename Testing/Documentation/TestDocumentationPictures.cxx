@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <ostream>
 #include <set>
 
 namespace
@@ -20,6 +21,12 @@ struct Picture
   const char* Scene; ///< Data/Scenes/<Scene>
   const char* Size;
 };
+
+// GoogleTest puts it into the test's name, which must not change from run to run.
+void PrintTo(const Picture& picture, std::ostream* stream)
+{
+  *stream << picture.Size;
+}
 
 const Picture Pictures[] = {
   { "Demo", "demo.json", "400x300" },
