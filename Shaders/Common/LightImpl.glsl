@@ -1,8 +1,9 @@
   mesoDiffuse = vec3(0.0);
   mesoSpecular = vec3(0.0);
-  mesoShadowFetches = 0;
   vec3 radiance;
 //MESO::Lights
+  blockLights();
+//MESO::Shading
   vec3 diffuse = mesoDiffuse;
   vec3 specular = vec3(0.0);
 #ifndef MESO_HEADLIGHT

@@ -9,12 +9,22 @@ struct MesoLight
   float Attenuation; // distance and cone, 1 without
 };
 
+MesoLight mesoLights[MESO_LIGHT_COUNT];
 vec3 mesoDiffuse;
 vec3 mesoSpecular;
-#ifdef MESO_AOV
-float mesoBlocked[MESO_LIGHT_COUNT];
-#endif
 int mesoShadowFetches;
+#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
+float mesoBlocked[MESO_LIGHT_COUNT]; // the fraction that the detail blocks
+#endif
+
+// VTK's headlight is directional along the view axis.
+MesoLight headlight()
+{
+  MesoLight light;
+  light.TravelVC = vec3(0.0, 0.0, -1.0);
+  light.Attenuation = 1.0;
+  return light;
+}
 
 MesoLight directionalLight(vec3 directionVC)
 {
@@ -53,27 +63,35 @@ MesoLight positionalLight(vec3 positionVC, int positional, vec3 lightDirectionVC
   return light;
 }
 
-// What is left of a light's radiance after the detail has blocked its part.
-vec3 unblocked(int index, vec3 lightOutVC, vec3 radiance)
+// How much of each light the detail blocks. A loop, since the shadow search written out for each
+// light makes shaders that some compilers take a minute for.
+void blockLights()
 {
+  mesoShadowFetches = 0;
 #if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
-  int fetches;
-  float blocked = blockedFraction(mesoFragment, mesoHit, lightOutVC, fetches);
-  mesoShadowFetches += fetches;
-#ifdef MESO_AOV
-  mesoBlocked[index] = blocked;
+  for (int i = 0; i < MESO_LIGHT_COUNT; ++i)
+  {
+    int fetches;
+    mesoBlocked[i] = blockedFraction(mesoFragment, mesoHit, -mesoLights[i].TravelVC, fetches);
+    mesoShadowFetches += fetches;
+  }
 #endif
-#ifdef MESO_SELF_SHADOW
-  return (1.0 - blocked) * radiance;
-#endif
-#endif
-  return radiance;
 }
 
-// A single headlight: directional along the view axis, so that VTK lights it by n.z alone.
+// What is left of a light's radiance after the detail has blocked its part.
+vec3 unblocked(int index, vec3 radiance)
+{
+#ifdef MESO_SELF_SHADOW
+  return (1.0 - mesoBlocked[index]) * radiance;
+#else
+  return radiance;
+#endif
+}
+
+// A single headlight: VTK lights it by n.z alone.
 void shadeHeadlight(vec3 radiance, vec3 normalVC, vec3 diffuseColor, float specularPower)
 {
-  radiance = unblocked(0, vec3(0.0, 0.0, 1.0), radiance);
+  radiance = unblocked(0, radiance);
   float df = max(0.0, normalVC.z);
   mesoDiffuse = df * diffuseColor * radiance;
 #ifdef MESO_SPECULAR
@@ -81,10 +99,10 @@ void shadeHeadlight(vec3 radiance, vec3 normalVC, vec3 diffuseColor, float specu
 #endif
 }
 
-void shade(int index, MesoLight light, vec3 radiance, vec3 normalVC, vec3 positionVC,
-  float specularPower)
+void shade(int index, vec3 radiance, vec3 normalVC, vec3 positionVC, float specularPower)
 {
-  radiance = unblocked(index, -light.TravelVC, radiance);
+  MesoLight light = mesoLights[index];
+  radiance = unblocked(index, radiance);
   float df = max(0.0, light.Attenuation * dot(normalVC, -light.TravelVC));
   mesoDiffuse += df * radiance;
 #ifdef MESO_SPECULAR

@@ -5,23 +5,25 @@
 
 namespace
 {
-/// One line of GLSL for a light: the call that shades by it.
-std::string LightCall(int complexity, int index)
+/// One line of GLSL for a light: where it comes from.
+std::string LightLine(int complexity, int index)
 {
   const std::string i = std::to_string(index);
-  // vtkShadowMapPass rewrites just this line.
-  const std::string radiance = "  radiance = lightColor" + i + ";\n";
-  if (complexity == 1)
-  {
-    return radiance +
-      "  shadeHeadlight(radiance, normalVCVSOutput, diffuseColor, specularPower);\n";
-  }
-  const std::string light = complexity == 2 ? "directionalLight(lightDirectionVC" + i + ")"
-                                            : "positionalLight(vertexVC.xyz, lightPositional" + i +
-      ", lightDirectionVC" + i + ", lightPositionVC" + i + ", lightAttenuation" + i +
-      ", lightConeAngle" + i + ", lightExponent" + i + ")";
-  return radiance + "  shade(" + i + ", " + light +
-    ", radiance, normalVCVSOutput, vertexVC.xyz, specularPower);\n";
+  const std::string kinds[] = { "headlight()", "directionalLight(lightDirectionVC" + i + ")",
+    "positionalLight(vertexVC.xyz, lightPositional" + i + ", lightDirectionVC" + i +
+      ", lightPositionVC" + i + ", lightAttenuation" + i + ", lightConeAngle" + i +
+      ", lightExponent" + i + ")" };
+  return "  mesoLights[" + i + "] = " + kinds[complexity - 1] + ";\n";
+}
+
+/// Two lines of GLSL for a light: shade by it. vtkShadowMapPass rewrites just the first of them.
+std::string ShadingLines(int complexity, int index)
+{
+  const std::string i = std::to_string(index);
+  const std::string shade = complexity == 1
+    ? "  shadeHeadlight(radiance, normalVCVSOutput, diffuseColor, specularPower);\n"
+    : "  shade(" + i + ", radiance, normalVCVSOutput, vertexVC.xyz, specularPower);\n";
+  return "  radiance = lightColor" + i + ";\n" + shade;
 }
 
 /// Splices the text of a chunk of Shaders/ before a hook.
@@ -84,13 +86,16 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
 void MesoShaderBuild::AddLighting(
   MesoShaderAssembler& fragment, const std::string& lightUniforms) const
 {
-  std::string calls;
+  std::string lights;
+  std::string shading;
   for (int i = 0; i < this->LightCount; ++i)
   {
-    calls += LightCall(this->LightComplexity, i);
+    lights += LightLine(this->LightComplexity, i);
+    shading += ShadingLines(this->LightComplexity, i);
   }
   // VTK leaves its hook in place for what comes after lighting.
   Before(fragment, "//VTK::Light::Impl", "Common/LightImpl.glsl");
-  fragment.Replace("//MESO::Lights", "lights", calls);
+  fragment.Replace("//MESO::Lights", "lights", lights);
+  fragment.Replace("//MESO::Shading", "shading", shading);
   fragment.Replace("//VTK::Light::Dec", "lights' uniforms", lightUniforms);
 }
