@@ -102,6 +102,23 @@ TEST(MesoRenderPicture, EffectsTakeThePlaceOfTheScenes)
   EXPECT_GT(scene.Compare("shading", "scene").SmallPixels, 100) << "no shadows in the scene";
 }
 
+TEST(MesoRenderPicture, EachEffectAloneIsLit)
+{
+  // Pixel (22, 30) lies on the flat top of a stripe, out of all shadow.
+  SceneFolder scene(R"("lights": [{"type": "directional", "direction": [1, -0.6, -0.6]}],
+    "nodes": [{"mesh": {"shape": "plane", "size": [2, 2]},
+      "mesostructure": {"technique": "relief", "scale": 0.1,
+                        "height_map": {"pattern": "step", "size": [64, 64]}}}])");
+  scene.Render({ "--technique", "plain" }, "plain");
+  const std::array<int, 3> plain = scene.Color(22, 30, "plain");
+  EXPECT_GT(plain[0], 50);
+  for (const char* effect : { "shading", "occlusion", "self_shadow", "depth" })
+  {
+    scene.Render({ "--effects", effect }, effect);
+    ExpectColor(scene.Color(22, 30, effect), plain);
+  }
+}
+
 TEST(MesoRenderPicture, WithoutLightsIsAmbientAndDiffuseAtFull)
 {
   SceneFolder scene(R"("lights": [], "background": [0.2, 0.4, 0.6],

@@ -458,7 +458,10 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
 {
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
   vtkShaderProgram* program = cellBO.Program;
-  if (!program->IsUniformUsed("mesoMCVCMatrix"))
+  // A shader that needs no position (directional lights, neither occlusion nor depth) still needs
+  // the normal.
+  if (!program->IsUniformUsed("mesoMCVCMatrix") && !program->IsUniformUsed("mesoNormalMatrix") &&
+    !program->IsUniformUsed("mesoModelToView"))
   {
     return;
   }
