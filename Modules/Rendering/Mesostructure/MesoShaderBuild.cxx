@@ -60,12 +60,13 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
     {
       Before(fragment, declarations, chunk);
     }
+    if (this->Textured)
+    {
+      // Derivatives are taken before a miss discards the fragment: undefined after that.
+      Before(fragment, declarations, "Common/TextureDec.glsl");
+      Before(fragment, "//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl");
+    }
     Before(fragment, "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl");
-  }
-  if (this->Textured)
-  {
-    Before(fragment, declarations, "Common/TextureDec.glsl");
-    Before(fragment, "//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl");
   }
   if (this->WritesDepth)
   {
