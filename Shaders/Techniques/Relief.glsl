@@ -56,6 +56,10 @@ MesoSurfaceHit traceSurface(MesoFragment f)
 #if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
   hit.FacetNormalVC = reliefNormal(f, patchGradient(hit.MapCoord));
 #endif
+#ifdef MESO_SELF_SHADOW
+  hit.Fetches += 1; // the facet's; AOVs alone do not count as cost
+  hit.TexelReads += 4;
+#endif
   return hit;
 }
 
