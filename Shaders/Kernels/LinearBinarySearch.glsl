@@ -1,5 +1,5 @@
-// Where a ray meets a height map, by equal steps and then by halving (Policarpo et al. 2005; paper
-// 004, section 2.1). Depth is 1 - height: 0 at the top of the relief, 1 at its bottom.
+// Where a ray meets a height map, by equal steps and then by halving (Oliveira2005,
+// section 2.1). Depth is 1 - height: 0 at the top of the relief, 1 at its bottom.
 //
 // Needs HeightField.glsl
 //

@@ -1,4 +1,5 @@
-// Relief mapping in the tangent plane: Policarpo, Oliveira, Comba 2005; paper 004 section 2.1.
+// Relief mapping in the tangent plane: Policarpo2005, as reviewed in
+// Oliveira2005, section 2.1 (Documentation/Techniques/References.md).
 // Model: around the fragment the base is its tangent plane with constant dp/du, dp/dv and n, so the
 // view ray is straight in (u, v, depth). Stands on Kernels/Frame, HeightField, LinearBinarySearch.
 //   MESO_LINEAR_STEPS, MESO_BINARY_STEPS  the search's steps

@@ -20,7 +20,7 @@
 enum class MesoTechnique
 {
   Plain, ///< the base mesh, shaded
-  Relief ///< relief mapping in the tangent plane (Policarpo et al. 2005; paper 004 section 2.1)
+  Relief ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
 };
 
 /// How finely a technique searches; see MesoSearchSteps().

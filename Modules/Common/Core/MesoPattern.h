@@ -10,17 +10,15 @@
  * bottom (t = 0), so that maps tile exactly, and maps of different sizes show the same surface. The
  * same seed gives the same bytes, whatever the number of threads.
  *
- * | pattern | what it is | keys (default) |
- * | ------- | ---------- | -------------- |
- * | brick   | masonry in running bond: rounded bricks over a hollow, sandy joint | rows (8, even
- * unless offset is 0), columns (3), mortar (0.14, width of a joint), bevel (0.1, width of a brick's
- * rounded edge), offset (0.5, shift of every second row in bricks), variation (0.25, of height,
- * size and tilt from brick to brick), roughness (0.35, of faces, edges and joints) | | smooth  |
- * sum of all cosines cos(2 pi (m s + n t) + phase), 0 < m^2 + n^2 <= frequency^2, with amplitudes
- * (m^2 + n^2)^(-falloff/2) and seeded phases | frequency (3), falloff (1) | | noise   | sum of
- * octaves of gradient noise (Perlin 2002) on a lattice that wraps | frequency (4, cells a tile of
- * the first octave), octaves (5), gain (0.5, amplitude from octave to octave) | | step    | 1 where
- * s < position, else low | position (0.5), low (0) |
+ * - brick: masonry in running bond, rounded bricks over a hollow, sandy joint. Keys: rows (8, even
+ *   unless offset is 0), columns (3), mortar (0.14, width of a joint), bevel (0.1, width of a brick's
+ *   rounded edge), offset (0.5, shift of every second row in bricks), variation (0.25, of height,
+ *   size and tilt from brick to brick), roughness (0.35, of faces, edges and joints).
+ * - smooth: sum of all cosines cos(2 pi (m s + n t) + phase), 0 < m^2 + n^2 <= frequency^2, with
+ *   amplitudes (m^2 + n^2)^(-falloff/2) and seeded phases. Keys: frequency (3), falloff (1).
+ * - noise: sum of octaves of gradient noise (Perlin2002) on a lattice that wraps. Keys: frequency
+ *   (4, cells a tile of the first octave), octaves (5), gain (0.5, amplitude from octave to octave).
+ * - step: 1 where s < position, else low. Keys: position (0.5), low (0).
  *
  * The widths `mortar` and `bevel` are fractions of a row's height. `smooth` stays inside [0,1]
  * without clamping: its extremes are found on a fixed lattice and widened by what the function can

@@ -9,15 +9,15 @@
  * [0,1] x [0,1] once, and the chart is right-handed with the normal pointing outward,
  * (dp/du x dp/dv) . n > 0 (only at a sphere's poles it is 0).
  *
- * | shape    | form | keys (default) |
- * | -------- | ---- | -------------- |
- * | plane    | z = 0, faces +z, u along +x, v along +y | size [w,h] ([1,1]), segments [nx,ny]
- * ([1,1]) | | sphere   | poles on the y axis; u = longitude, eastward, v = latitude from the south
- * pole (-y, v = 0) to the north pole (+y, v = 1) | radius (1), rings (24, along v), sides (48,
- * along u) | | cylinder | around the y axis, open; u around it eastward, v along it upward | radius
- * (0.5), height (1), sides (48, along u), rings (1, along v) | | torus    | around the y axis; u
- * around the main circle eastward, v around the tube | radius (1, of the main circle), tube (0.4,
- * less than radius), rings (48, along u), sides (24, along v) |
+ * - plane: z = 0, faces +z, u along +x, v along +y. Keys: size [w,h] ([1,1]), segments [nx,ny]
+ *   ([1,1]).
+ * - sphere: poles on the y axis; u = longitude, eastward, v = latitude from the south pole (-y,
+ *   v = 0) to the north pole (+y, v = 1). Keys: radius (1), rings (24, along v), sides (48, along
+ *   u).
+ * - cylinder: around the y axis, open; u around it eastward, v along it upward. Keys: radius (0.5),
+ *   height (1), sides (48, along u), rings (1, along v).
+ * - torus: around the y axis; u around the main circle eastward, v around the tube. Keys: radius (1,
+ *   of the main circle), tube (0.4, less than radius), rings (48, along u), sides (24, along v).
  *
  * "Eastward" is counter-clockwise seen from +y. The seam u = 0 lies at -z, so that u = 1/2 faces
  * +z; the torus' seam v = 0 lies on its inner equator. A chart that closes has the same position,
