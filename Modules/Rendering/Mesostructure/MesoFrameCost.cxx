@@ -67,7 +67,7 @@ MesoMilliseconds MesoSummarise(std::vector<double> milliseconds)
 std::vector<MesoFrameCost> MesoMeasureFrames(vtkOpenGLRenderWindow* window,
   const std::vector<std::vector<vtkProp*>>& groups, int warmUp, int runs)
 {
-  window->MakeCurrent();
+  window->Render(); // makes the context where there is none yet
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const bool software = MesoIsSoftwareRenderer(name ? name : "");
   GLuint query = 0;
