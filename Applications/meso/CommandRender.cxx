@@ -12,7 +12,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
+#include <set>
 #include <unistd.h>
 
 namespace
@@ -199,12 +201,17 @@ void CommandRender::Override(std::vector<MesoSceneNode>& nodes) const
 
 void CommandRender::CheckFileNames() const
 {
+  std::set<std::filesystem::path> targets;
   for (const std::string& name : { this->Output,
          this->Channels.empty() ? std::string() : AOVFileName(this->Output), this->StatsFile })
   {
     if (!name.empty())
     {
       const MesoAtomicFile possible(name); // which throws where it is not
+      if (!targets.insert(std::filesystem::weakly_canonical(name)).second)
+      {
+        throw MesoInputError(name + ": two results cannot go to one file");
+      }
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
+#include "vtkLightCollection.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPolyDataMapper.h"
@@ -106,12 +107,21 @@ void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
 {
   for (const auto& object : builder.GetObjects())
   {
-    if (object.Actor->GetProperty()->GetOpacity() < 1.)
+    if (object.Actor->HasTranslucentPolygonalGeometry())
     {
-      throw MesoInputError(
-        "AOVs of translucent objects are not available yet (node '" + object.Name + "')");
+      throw MesoInputError("what each pixel knows (AOVs, fetches of the stats) of translucent "
+                           "objects is not available yet (node " +
+        std::to_string(object.Number) + " '" + object.Name + "')");
     }
     pass->SetObjectNumber(object.Actor, object.Number);
+  }
+  const int lights = renderer->GetLights()->GetNumberOfItems();
+  if (lights > vtkMesoAOVPass::MostLights)
+  {
+    throw MesoInputError("what each pixel knows (AOVs, fetches of the stats) holds the shadows of "
+                         "at most " +
+      std::to_string(vtkMesoAOVPass::MostLights) + " lights; the scene has " +
+      std::to_string(lights));
   }
   renderer->SetPass(pass);
   window->Render();

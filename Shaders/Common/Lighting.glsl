@@ -3,10 +3,13 @@
 //   MESO_SPECULAR     the material has a specular part (without one, VTK adds an exact zero)
 //   MESO_SELF_SHADOW  detail blocks light
 
+const float FarAway = 1.0e30; // of lights without a place
+
 struct MesoLight
 {
   vec3 TravelVC;     // unit: the way the light travels here
   float Attenuation; // distance and cone, 1 without
+  float Distance;    // from here to the light
 };
 
 MesoLight mesoLights[MESO_LIGHT_COUNT];
@@ -23,6 +26,7 @@ MesoLight headlight()
   MesoLight light;
   light.TravelVC = vec3(0.0, 0.0, -1.0);
   light.Attenuation = 1.0;
+  light.Distance = FarAway;
   return light;
 }
 
@@ -31,6 +35,7 @@ MesoLight directionalLight(vec3 directionVC)
   MesoLight light;
   light.TravelVC = directionVC;
   light.Attenuation = 1.0;
+  light.Distance = FarAway;
   return light;
 }
 
@@ -39,11 +44,13 @@ MesoLight positionalLight(vec3 positionVC, int positional, vec3 lightDirectionVC
 {
   MesoLight light;
   light.Attenuation = 1.0;
+  light.Distance = FarAway;
   light.TravelVC = lightDirectionVC;
   if (positional != 0)
   {
     light.TravelVC = positionVC - lightPositionVC;
     float distanceVC = length(light.TravelVC);
+    light.Distance = distanceVC;
     light.TravelVC = normalize(light.TravelVC);
     light.Attenuation =
       1.0 / (attenuation.x + attenuation.y * distanceVC + attenuation.z * distanceVC * distanceVC);
@@ -72,7 +79,8 @@ void blockLights()
   for (int i = 0; i < MESO_LIGHT_COUNT; ++i)
   {
     int fetches;
-    mesoBlocked[i] = blockedFraction(mesoFragment, mesoHit, -mesoLights[i].TravelVC, fetches);
+    mesoBlocked[i] = blockedFraction(mesoFragment, mesoHit, -mesoLights[i].TravelVC,
+      mesoLights[i].Distance, fetches);
     mesoShadowFetches += fetches;
   }
 #endif

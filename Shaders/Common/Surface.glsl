@@ -45,7 +45,7 @@ uniform float mesoScale; // D in object units
 
 MesoFragment mesoFragment;
 MesoSurfaceHit mesoHit;
-vec3 mesoHitVC; // where the drawn surface is: on the relief with MESO_DEPTH or MESO_OCCLUSION
+vec3 mesoHitVC; // where the drawn surface is: on the relief with MESO_OCCLUSION
 
 MesoFragment makeFragment(bool parallelProjection, bool frontFacing)
 {

@@ -137,13 +137,13 @@ HeightHit searchLinearBinary(
   return hit;
 }
 
-// 1.0 where the relief blocks a ray that rises from depthStart to depth 0, else 0.0. At ray depth s
-// the ray is over map coordinate mapStart + (depthStart - s) * mapPerHeight. The samples are the
-// middles of `steps` equal parts, so that none is spent at depth 0, where nothing lies above. The
-// caller moves the start off the surface first. A number that is not finite
-// blocks nothing. fetches: filtered samples.
+// 1.0 where the relief blocks a ray that rises from depthStart to depthEnd (0, or where the light
+// is), else 0.0. At ray depth s the ray is over map coordinate mapStart + (depthStart - s) *
+// mapPerHeight. The samples are the middles of `steps` equal parts, so that none is spent at depth
+// 0, where nothing lies above. The caller moves the start off the surface first. A number that is
+// not finite blocks nothing. fetches: filtered samples.
 float occludedLinear(
-  vec2 mapStart, vec2 mapPerHeight, float depthStart, int steps, out int fetches)
+  vec2 mapStart, vec2 mapPerHeight, float depthStart, float depthEnd, int steps, out int fetches)
 {
   fetches = 0;
   if (!rayIsSound(mapStart, mapPerHeight, depthStart) || depthStart <= 0.0)
@@ -151,7 +151,7 @@ float occludedLinear(
     return 0.0;
   }
   vec2 base = mapStart - wholeTiles(mapStart);
-  float stepDepth = depthStart / float(max(steps, 1));
+  float stepDepth = max(depthStart - max(depthEnd, 0.0), 0.0) / float(max(steps, 1));
   float blocked = 0.0;
   for (int i = 0; i < steps; ++i)
   {

@@ -5,7 +5,8 @@ MesoSurfaceHit traceSurface(MesoFragment f)
   return baseSurface(f);
 }
 
-float blockedFraction(MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, out int fetches)
+float blockedFraction(
+  MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
 {
   fetches = 0;
   return dot(f.NormalVC, lightOutVC) > 0.0 ? 0.0 : 1.0;

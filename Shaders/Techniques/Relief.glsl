@@ -23,9 +23,19 @@ vec3 reliefNormal(MesoFragment f, vec2 gradient)
   return normalize(f.NormalVC + tilt / area);
 }
 
+// From behind the base itself is drawn: its normal has been turned to the eye, PerDepth has not.
+bool seenFromBehind(MesoFragment f)
+{
+  return dot(f.PerDepth, f.NormalVC) > 0.0;
+}
+
 MesoSurfaceHit traceSurface(MesoFragment f)
 {
   MesoSurfaceHit hit = baseSurface(f);
+  if (seenFromBehind(f))
+  {
+    return hit;
+  }
 #ifdef MESO_OCCLUSION
   vec3 rate; // of u, v and depth along the view ray
   if (!solveFrame(f.PerMapU, f.PerMapV, f.PerDepth, f.ViewVC, rate) ||
@@ -65,12 +75,17 @@ MesoSurfaceHit traceSurface(MesoFragment f)
 }
 
 // The shadow ray starts 1e-3 texel off the surface along the facet's normal.
-float blockedFraction(MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, out int fetches)
+float blockedFraction(
+  MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
 {
   fetches = 0;
   if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
   {
     return 1.0;
+  }
+  if (seenFromBehind(f))
+  {
+    return 0.0;
   }
 #ifdef MESO_SELF_SHADOW
   vec3 rate;
@@ -91,8 +106,9 @@ float blockedFraction(MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, out i
   {
     return 1.0; // the light does not rise out of the tangent plane
   }
-  return occludedLinear(
-    hit.MapCoord + lift.xy, rate.xy / -rate.z, depthStart, MESO_LINEAR_STEPS, fetches);
+  float depthEnd = max(0.0, hit.Relief + rate.z * lightDistance); // the light may be inside
+  return occludedLinear(hit.MapCoord + lift.xy, rate.xy / -rate.z, depthStart, depthEnd,
+    MESO_LINEAR_STEPS, fetches);
 #else
   return 0.0;
 #endif

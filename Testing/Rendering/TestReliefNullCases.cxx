@@ -90,6 +90,18 @@ TEST_F(ReliefNullCases, NoHeightMap)
   EXPECT_TRUE(difference.Within) << difference.Describe();
 }
 
+TEST_F(ReliefNullCases, SeenFromBehind)
+{
+  const auto plane = MesoTestScene::Shape("plane");
+  this->Plain->SetInputData(plane);
+  this->Relief->SetInputData(plane);
+  this->Scene.Actor->GetProperty()->BackfaceCullingOff();
+  this->Scene.LookFrom(0.5, 0.4, -2.);
+  this->Scene.AddDirectionalLight(0.3, 0.2, 1.);
+  const auto difference = this->Compare(MesoImageLimits::Exact());
+  EXPECT_TRUE(difference.Within) << difference.Describe();
+}
+
 TEST_F(ReliefNullCases, NoEffects)
 {
   MesoMesostructureOptions options = this->Relief->GetOptions();

@@ -142,6 +142,29 @@ TEST_F(ReliefStep, ShadowFallsAsFarAsTheLightSays)
   EXPECT_GT(shadowed, 100);
 }
 
+TEST_F(ReliefStep, NothingBehindALightCastsShadow)
+{
+  // A point light in the hollow, low: the wall is on the far side of it from the floor's end.
+  vtkLight* light = this->Plane.AddDirectionalLight(1., 0., -1.);
+  light->PositionalOn();
+  light->SetConeAngle(90.);
+  light->SetPosition(0.25, 0., -0.9 * Depth);
+  light->SetFocalPoint(0.25, 0., -1.);
+  this->Plane.Capture();
+  int floor = 0;
+  this->ForPixels(
+    [&](int column, int row, double)
+    {
+      const double u = this->Plane.Pass->GetValue("texcoord.u", column, row);
+      if (u > 0.8 && u < FloorEnd - 0.5 / Texels)
+      {
+        EXPECT_EQ(this->Plane.Pass->GetValue("shadow.0", column, row), 0.f) << "u = " << u;
+        ++floor;
+      }
+    });
+  EXPECT_GT(floor, 100);
+}
+
 TEST_F(ReliefStep, CountsWhatItReads)
 {
   this->Plane.Capture();

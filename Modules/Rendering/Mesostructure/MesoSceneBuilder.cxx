@@ -16,8 +16,10 @@
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkReverseSense.h"
 #include "vtkTexture.h"
 
 #include <cmath>
@@ -96,6 +98,28 @@ void SetMaterial(const MesoSceneMaterial& material, vtkActor* actor)
   property->SetEdgeVisibility(material.Edges);
 }
 
+/// The colour alone: an alpha channel would make VTK draw the actor as translucent.
+vtkSmartPointer<vtkImageData> WithoutAlpha(vtkImageData* image)
+{
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  const int components = values->GetNumberOfComponents();
+  if (components != 2 && components != 4)
+  {
+    return image;
+  }
+  auto colour = vtkSmartPointer<vtkDataArray>::Take(values->NewInstance());
+  colour->SetNumberOfComponents(components - 1);
+  colour->SetNumberOfTuples(values->GetNumberOfTuples());
+  for (int component = 0; component < components - 1; ++component)
+  {
+    colour->CopyComponent(component, values, component);
+  }
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  result->SetExtent(image->GetExtent());
+  result->GetPointData()->SetScalars(colour);
+  return result;
+}
+
 void SetColorMap(const std::string& fileName, const MesoMesostructureOptions& options,
   const std::string& place, vtkActor* actor, std::vector<std::string>& warnings)
 {
@@ -103,7 +127,7 @@ void SetColorMap(const std::string& fileName, const MesoMesostructureOptions& op
   reader->SetFileName(fileName.c_str());
   Run(reader, place, warnings);
   vtkNew<vtkTexture> texture;
-  texture->SetInputData(reader->GetOutput());
+  texture->SetInputData(WithoutAlpha(reader->GetOutput()));
   texture->SetColorModeToDirectScalars();
   texture->InterpolateOn();
   texture->MipmapOn();
@@ -266,6 +290,11 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
         { spacing[0] * samples[0] * node.Mesostructure.Tiles[0],
           spacing[1] * samples[1] * node.Mesostructure.Tiles[1] });
     }
+    if (mesh.FeatureAngle)
+    {
+      this->Warnings.push_back(
+        place + ": feature_angle is for mesh files; a built-in shape has normals of its own");
+    }
     Run(source, place, this->Warnings);
     return source->GetOutput();
   }
@@ -274,7 +303,15 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
   Run(reader, place, this->Warnings);
   if (!reader->GetOutput()->GetPointData()->GetTCoords() && !needsFrames)
   {
-    return reader->GetOutput();
+    // No frame without texture coordinates; the points are not split, so VTK's normals serve.
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputConnection(reader->GetOutputPort());
+    normals->ConsistencyOff();
+    normals->SetSplitting(mesh.FeatureAngle.has_value());
+    normals->SetFeatureAngle(mesh.FeatureAngle.value_or(30.));
+    const bool given = reader->GetOutput()->GetPointData()->GetNormals() != nullptr;
+    Run(given ? static_cast<vtkAlgorithm*>(reader) : normals, place, this->Warnings);
+    return given ? reader->GetOutput() : normals->GetOutput();
   }
   vtkNew<vtkMesoSurfaceFrames> frames;
   frames->SetInputConnection(reader->GetOutputPort());
@@ -307,6 +344,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       node.Mesostructure.Technique != MesoTechnique::Plain);
     if (node.Mesostructure.Technique == MesoTechnique::Relief)
     {
+      if (node.Mesostructure.Scale == 0.)
+      {
+        this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
+      }
       vtkNew<vtkMesoReliefMapper> relief;
       relief->SetHeightMap(object.HeightMap);
       object.Mapper = relief;
@@ -314,6 +355,18 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     else
     {
       object.Mapper = vtkSmartPointer<vtkMesoPolyDataMapper>::New();
+    }
+    vtkNew<vtkMatrix4x4> userMatrix;
+    userMatrix->DeepCopy(matrix.data());
+    if (userMatrix->Determinant() < 0.)
+    {
+      // A mirror turns the triangles' winding, by which front and back are told.
+      vtkNew<vtkReverseSense> turn;
+      turn->SetInputData(object.Mesh);
+      turn->ReverseCellsOn();
+      turn->ReverseNormalsOff();
+      turn->Update();
+      object.Mesh = turn->GetOutput();
     }
     object.Mapper->SetOptions(node.Mesostructure);
     object.Mapper->SetInputData(object.Mesh);
@@ -327,8 +380,6 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       SetColorMap(node.Material.ColorMap, node.Mesostructure, inScene + ".material.color_map",
         object.Actor, this->Warnings);
     }
-    vtkNew<vtkMatrix4x4> userMatrix;
-    userMatrix->DeepCopy(matrix.data());
     object.Actor->SetUserMatrix(userMatrix);
     renderer->AddActor(object.Actor);
     this->Objects.push_back(object);

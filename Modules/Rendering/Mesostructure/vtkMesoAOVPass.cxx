@@ -39,7 +39,6 @@ const std::vector<std::vector<const char*>> FixedTargets = {
   { "object", "fetches", "texel_reads", "iterations" },
 };
 constexpr int FirstShadowTarget = 4;
-constexpr int MostLights = 12;
 
 const char* const PublishedOrder[] = { "coverage", "depth", "texcoord.u", "texcoord.v", "relief",
   "normal.x", "normal.y", "normal.z", "object", "fetches", "texel_reads", "iterations" };
@@ -155,6 +154,7 @@ void vtkMesoAOVPass::Render(const vtkRenderState* state)
     lights += light->GetSwitch() ? 1 : 0;
   }
   this->Targets.clear();
+  this->Size[0] = this->Size[1] = 0;
   if (lights > MostLights)
   {
     vtkErrorMacro(
@@ -194,7 +194,13 @@ void vtkMesoAOVPass::Render(const vtkRenderState* state)
   }
   this->Framebuffer->ActivateDrawBuffers(targetCount);
   this->Framebuffer->AddDepthAttachment();
-  this->Framebuffer->StartNonOrtho(this->Size[0], this->Size[1]);
+  if (!this->Framebuffer->StartNonOrtho(this->Size[0], this->Size[1]))
+  {
+    vtkErrorMacro("The device does not take " << targetCount << " float targets");
+    this->Size[0] = this->Size[1] = 0;
+    glState->PopFramebufferBindings();
+    return;
+  }
 
   vtkCamera* camera = renderer->GetActiveCamera();
   this->ViewToWorld->DeepCopy(camera->GetModelViewTransformMatrix());
@@ -215,6 +221,15 @@ void vtkMesoAOVPass::Render(const vtkRenderState* state)
   renderer->SetBackgroundAlpha(0.0);
   renderer->SetGradientBackground(false);
   renderer->SetTexturedBackground(false);
+  // Whatever the renderer and its layer keep of earlier frames, the targets begin empty.
+  const bool erase = renderer->GetErase();
+  const bool preserveColor = renderer->GetPreserveColorBuffer();
+  const bool preserveDepth = renderer->GetPreserveDepthBuffer();
+  const bool eraseWindow = window->GetErase();
+  renderer->SetErase(true);
+  renderer->SetPreserveColorBuffer(false);
+  renderer->SetPreserveDepthBuffer(false);
+  window->SetErase(true);
   {
     vtkOpenGLState::ScopedglEnableDisable depthTest(glState, GL_DEPTH_TEST);
     vtkOpenGLState::ScopedglEnableDisable blend(glState, GL_BLEND);
@@ -235,6 +250,10 @@ void vtkMesoAOVPass::Render(const vtkRenderState* state)
   renderer->SetBackgroundAlpha(backgroundAlpha);
   renderer->SetGradientBackground(gradient);
   renderer->SetTexturedBackground(textured);
+  renderer->SetErase(erase);
+  renderer->SetPreserveColorBuffer(preserveColor);
+  renderer->SetPreserveDepthBuffer(preserveDepth);
+  window->SetErase(eraseWindow);
 
   this->ReadBack();
   glState->PopFramebufferBindings();

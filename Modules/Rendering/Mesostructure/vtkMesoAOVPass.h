@@ -41,6 +41,9 @@ public:
   vtkTypeMacro(vtkMesoAOVPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Lights whose shadows the device's 8 targets hold.
+  static constexpr int MostLights = 12;
+
   /// The number that `object` gives for a prop: 1-based, 0 for none.
   void SetObjectNumber(vtkProp* prop, int number);
 

@@ -69,7 +69,7 @@ bool InLightingMap(vtkActor* actor)
 void DumpShader(const char* stage, const std::string& text)
 {
   const char* folder = std::getenv("MESO_DUMP_SHADERS");
-  if (folder && *folder)
+  if (folder && *folder && !text.empty())
   {
     static int number = 0;
     std::ofstream(
@@ -284,7 +284,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   const MesoShaderShape shape =
     this->Fallback ? this->Plain->GetShape() : this->GetTechnique()->GetShape();
   build.Surface = triangles && !this->PointPicking && (shape.Traces || aov) &&
-    points->GetNormals() && points->GetTCoords();
+    points->GetNormals() && (points->GetTCoords() || !shape.Traces);
   build.Chunks = shape.Chunks;
   build.Traces = build.Surface && shape.Traces;
   build.WritesDepth = build.Traces && shape.WritesDepth;
@@ -395,6 +395,7 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
   this->Report(geometry);
   this->Report(fragment);
   DumpShader("vert", shaders[vtkShader::Vertex]->GetSource());
+  DumpShader("geom", shaders[vtkShader::Geometry]->GetSource());
   DumpShader("frag", shaders[vtkShader::Fragment]->GetSource());
 }
 

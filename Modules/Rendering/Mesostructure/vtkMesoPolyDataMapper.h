@@ -20,7 +20,9 @@
  * Where they are missing the base mesh is drawn and one warning says what to add.
  *
  * VTK's shadow map passes store the depth of the base mesh, in whose shadow inward relief would
- * lie: they are refused with an error and the base mesh is drawn. Physically based materials are
+ * lie: they are refused with a warning and the base mesh is drawn. Seen from behind, where back faces
+ * are not culled, the base mesh is drawn. A mirrored matrix turns front and back, as for any VTK
+ * actor. Physically based materials are
  * lit by VTK, without self-shadow. Clipping planes cut the base mesh.
  *
  * The environment variable MESO_DUMP_SHADERS names a folder to which each shader that is built is

@@ -1,0 +1,94 @@
+// Scenes become actors that face the right way and hold the right colours: mirrored nodes, meshes
+// without texture coordinates, colour maps with alpha.
+
+#include "MesoAOVChecks.h"
+#include "MesoBaseline.h"
+
+#include "MesoSceneBuilder.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace
+{
+class SceneBuilder : public testing::Test
+{
+protected:
+  MesoTestScene Scene{ 64, 64 };
+  vtkNew<vtkMesoAOVPass> Pass;
+  MesoSceneBuilder Builder;
+
+  SceneBuilder() { this->Scene.Renderer->RemoveActor(this->Scene.Actor); }
+  ~SceneBuilder() override { this->Pass->ReleaseGraphicsResources(this->Scene.Window); }
+
+  /// Builds a scene with one node and captures its pixels; gives the covered ones.
+  int Capture(const std::string& node)
+  {
+    const std::string text = R"({ "meso": 1, "camera": {"position": [0.3, 0.2, 3]},
+      "lights": [{"type": "directional", "direction": [-0.2, -0.3, -1]}], "nodes": [)" +
+      node + "] }";
+    this->Builder.Build(MesoParseScene(text, "test.json"), this->Scene.Renderer);
+    MesoCapture(this->Scene, this->Pass);
+    return MesoCheckEveryPixel(this->Pass);
+  }
+
+  /// The mean over the covered pixels.
+  double Mean(const std::string& channel) const
+  {
+    double sum = 0.;
+    double covered = 0.;
+    const auto values = this->Pass->GetInterleaved({ "coverage", channel });
+    for (std::size_t i = 0; i < values.size(); i += 2)
+    {
+      covered += values[i];
+      sum += values[i + 1];
+    }
+    return sum / covered;
+  }
+};
+
+const char* const Relief = R"("mesostructure": {"technique": "relief", "scale": 0.05,
+  "height_map": {"pattern": "smooth", "size": [32, 32]}})";
+}
+
+TEST_F(SceneBuilder, MirroredNodesFaceTheEye)
+{
+  const std::string plane = std::string(R"({"mesh": {"shape": "plane"}, )") + Relief;
+  const int still = this->Capture(plane + "}");
+  EXPECT_GT(still, 500);
+  EXPECT_GT(this->Mean("normal.z"), 0.9);
+  for (const char* scale : { "[-1, 1, 1]", "[1, -1, 1]", "[-1, -1, 1]" })
+  {
+    this->Scene.Renderer->RemoveAllViewProps();
+    const int covered = this->Capture(plane + R"(, "transform": {"scale": )" + scale + "}}");
+    EXPECT_NEAR(covered, still, 3) << scale;
+    EXPECT_GT(this->Mean("normal.z"), 0.9) << scale;
+    EXPECT_GT(this->Mean("relief"), 0.2) << scale;
+    EXPECT_EQ(this->Mean("shadow.0"), 0.) << scale;
+  }
+}
+
+TEST_F(SceneBuilder, MeshesWithoutTextureCoordinatesHaveNormals)
+{
+  const auto file =
+    std::filesystem::temp_directory_path() / ("meso-builder-" + std::to_string(getpid()) + ".obj");
+  std::ofstream(file) << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+  {
+    const int covered = this->Capture(R"({"mesh": ")" + file.string() + R"("})");
+    EXPECT_GT(covered, 300);
+    EXPECT_NEAR(this->Mean("normal.z"), 1., 1e-5);
+    EXPECT_EQ(this->Mean("shadow.0"), 0.);
+  }
+  std::filesystem::remove(file);
+}
+
+TEST_F(SceneBuilder, FlatReliefIsSaid)
+{
+  this->Capture(R"({"mesh": {"shape": "plane"}, "mesostructure": {"technique": "relief",
+    "scale": 0, "height_map": {"pattern": "noise"}}})");
+  ASSERT_EQ(this->Builder.GetWarnings().size(), 1u);
+  EXPECT_EQ(this->Builder.GetWarnings()[0],
+    "test.json: nodes[0].mesostructure: scale is 0, so the relief is flat");
+}
