@@ -5,6 +5,7 @@
 #include "RenderResults.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
+#include "vtkMesoPolyDataMapper.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
@@ -246,6 +247,14 @@ int CommandRender::Run()
 
   // All is rendered before anything is written, so that a job that fails leaves nothing.
   const std::string picture = RenderPicture(window, renderer, this->Samples, ProgressBar());
+  for (const auto& object : builder.GetObjects())
+  {
+    if (!object.Mapper->GetWhyPlain().empty())
+    {
+      throw MesoInputError("node " + std::to_string(object.Number) + " '" + object.Name +
+        "': " + object.Mapper->GetWhyPlain());
+    }
+  }
   vtkNew<vtkMesoAOVPass> pass;
   std::string stats;
   if (!this->Channels.empty() || !this->StatsFile.empty())

@@ -120,6 +120,7 @@ TEST_F(ReliefNullCases, MissingFramesAreSaidOnce)
   EXPECT_TRUE(difference.Within) << difference.Describe();
   this->Scene.Window->Render();
   EXPECT_EQ(expected.GetCount(), 1);
+  EXPECT_NE(this->Relief->GetWhyPlain().find("lacks MesoTangent"), std::string::npos);
 }
 
 TEST_F(ReliefNullCases, BoundsHoldTheRelief)

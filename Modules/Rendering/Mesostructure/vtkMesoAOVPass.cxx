@@ -268,7 +268,12 @@ void vtkMesoAOVPass::ReadBack()
   {
     std::vector<float> pixels(std::size_t(4) * this->Size[0] * this->Size[1]);
     this->Framebuffer->ActivateReadBuffer(static_cast<unsigned int>(i));
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    for (const GLenum zero : { GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS })
+    {
+      glPixelStorei(zero, 0);
+    }
+    glPixelStorei(GL_PACK_ALIGNMENT, 4); // OpenGL's default
     glReadPixels(0, 0, this->Size[0], this->Size[1], GL_RGBA, GL_FLOAT, pixels.data());
     this->Targets.push_back(std::move(pixels));
   }

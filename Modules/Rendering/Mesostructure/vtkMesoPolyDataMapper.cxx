@@ -233,21 +233,21 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
 {
   MesoTechniqueShader* technique = this->GetTechnique();
   const MesoShaderShape shape = technique->GetShape();
-  std::string whyNot = this->WhyNot(shape, actor);
-  if (whyNot.empty())
+  this->WhyPlain = this->WhyNot(shape, actor);
+  if (this->WhyPlain.empty())
   {
-    whyNot = technique->Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+    this->WhyPlain =
+      technique->Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   }
-  this->Fallback = !whyNot.empty();
-  if (this->Fallback)
+  if (!this->WhyPlain.empty())
   {
-    this->WarnOnce(whyNot);
+    this->WarnOnce(this->WhyPlain);
   }
   else if (shape.Traces && this->GetNumberOfClippingPlanes() > 0)
   {
     this->WarnOnce("Clipping planes cut the base mesh, not the relief below it.");
   }
-  this->EffectsDrawn = this->Fallback || !shape.Traces
+  this->EffectsDrawn = !this->WhyPlain.empty() || !shape.Traces
     ? MesoEffects()
     : (this->Options.Effects.Auto ? this->GetEffectsProvided() : this->Options.Effects.Named);
   this->MapAttributes(shape, InPass<vtkMesoAOVPass>(actor));
@@ -282,7 +282,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   const bool triangles =
     cellBO.PrimitiveType == PrimitiveTris || cellBO.PrimitiveType == PrimitiveTriStrips;
   const MesoShaderShape shape =
-    this->Fallback ? this->Plain->GetShape() : this->GetTechnique()->GetShape();
+    this->WhyPlain.empty() ? this->GetTechnique()->GetShape() : this->Plain->GetShape();
   build.Surface = triangles && !this->PointPicking && (shape.Traces || aov) &&
     points->GetNormals() && (points->GetTCoords() || !shape.Traces);
   build.Chunks = shape.Chunks;
@@ -448,7 +448,7 @@ void vtkMesoPolyDataMapper::SetMapperShaderParameters(
       static_cast<float>(this->Options.Tiles[1]) };
     cellBO.Program->SetUniform2f("mesoTiles", tiles);
   }
-  if (!this->Fallback)
+  if (this->WhyPlain.empty())
   {
     this->GetTechnique()->SetUniforms(cellBO.Program);
   }

@@ -77,6 +77,9 @@ public:
   /// The effects that the shader of the last frame had compiled in.
   MesoEffects GetEffectsDrawn() const { return this->EffectsDrawn; }
 
+  /// Why the last frame shows the base mesh instead of the technique; empty where it does not.
+  const std::string& GetWhyPlain() const { return this->WhyPlain; }
+
   /// Bytes of vertex data, indices and textures held on the GPU since the last frame.
   std::size_t GetGPUBytes();
 
@@ -126,7 +129,7 @@ private:
 
   MesoMesostructureOptions Options;
   std::unique_ptr<MesoTechniqueShader> Plain;
-  bool Fallback = false; ///< the technique cannot be drawn in this frame: plain instead
+  std::string WhyPlain; ///< why the technique cannot be drawn in this frame
   std::string LastWarning;
   MesoEffects EffectsDrawn;
   std::map<const vtkOpenGLHelper*, std::string> BuiltKeys;
