@@ -11,6 +11,8 @@ constexpr double LeastSpread = 1e-3;
 // Elements of R relative to the first, below which a polynomial is not determined. Rings of a regular
 // mesh give about 1e-2 in degree 4.
 constexpr double RankTolerance = 2e-4;
+// Of the precision that MesoJetFit.h defines: below, what is fitted is noise.
+constexpr double LeastPrecision = 0.1;
 // Curvatures that differ by less than this part of the larger are equal.
 constexpr double UmbilicTolerance = 1e-9;
 
@@ -197,10 +199,12 @@ MesoPrincipalCurvature MesoFitJet(
   {
     return result;
   }
-  int degree = highest;
-  while (degree >= lowest && !FitDegree(degree, hood, jet))
+  const double radius = std::hypot(hood.Spread[0], hood.Spread[1]);
+  double precision = 0.;
+  int degree = highest + 1;
+  while (precision < LeastPrecision && --degree >= lowest)
   {
-    --degree;
+    precision = FitDegree(degree, hood, jet) ? 1. / (1. + radius * jet.Deviation) : 0.;
   }
   if (degree < lowest)
   {
@@ -208,8 +212,7 @@ MesoPrincipalCurvature MesoFitJet(
   }
   Diagonalize(hood, jet, result);
   result.Degree = degree;
-  result.Confidence = 0.25 * degree * hood.Sidedness /
-    (1. + jet.Deviation * std::hypot(hood.Spread[0], hood.Spread[1]));
+  result.Confidence = 0.25 * degree * hood.Sidedness * precision;
   return result;
 }
 

@@ -46,11 +46,12 @@ constexpr std::size_t MesoQuarticNeighbours = 18;
 
 /**
  * `offsets` are q - p, nearest first; `normal` is unit. Degrees `highest` (4, 3 or 2) down to
- * `lowest` are tried: 4 needs 18 neighbours, 3 needs 12, 2 needs 6, and each a matrix of full rank.
+ * `lowest` are tried: 4 needs 18 neighbours, 3 needs 12, 2 needs 6, and each a matrix of full rank and
+ * a precision of 1/10.
  *
  * Confidence = degree * sidedness * precision, each from 0 to 1:
  * - 1, 3/4 and 1/2 for degrees 4, 3 and 2;
- * - 1 - |m|^2 with m the mean of the neighbours' (x, y) in units of their spread: 1 in the middle,
+ * - 1 - |m|^2 / 2 with m the mean of the neighbours' (x, y) in units of their spread: 1 in the middle,
  *   about .6 at a straight border, .3 at a corner;
  * - 1 / (1 + r e), e the standard error of the curvatures that the fit's residuals tell and r the
  *   radius of the neighbourhood.

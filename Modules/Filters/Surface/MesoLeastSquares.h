@@ -24,6 +24,7 @@ public:
 
   /// The next row to fill; at most MaximumRows may be added.
   RowType& AddRow() { return this->Row[this->Rows++]; }
+  const RowType& GetRow(std::size_t i) const { return this->Row[i]; }
   std::size_t NumberOfRows() const { return this->Rows; }
 
   /// Whether there is one solution: the diagonal of R does not fall below `tolerance` times its first
