@@ -1,10 +1,9 @@
 #include "vtkMesoSurfaceFrames.h"
 
-#include "MesoFirstEqual.h"
 #include "MesoFrames.h"
+#include "MesoPolyDataInput.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -17,51 +16,16 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkMesoSurfaceFrames);
 
 namespace
 {
-constexpr double FloatRounding = 1. / (1 << 24);
-constexpr double DoubleRounding = FloatRounding * FloatRounding / 32.; // 2^-53
-
-double RoundingOf(vtkDataArray* array)
-{
-  return array->GetDataType() == VTK_DOUBLE ? DoubleRounding : FloatRounding;
-}
-
-/// The tuples as doubles; throws where one is not finite.
-template <std::size_t N>
-std::vector<std::array<double, N>> Tuples(vtkDataArray* array, const char* what)
-{
-  std::vector<std::array<double, N>> tuples(array->GetNumberOfTuples());
-  for (std::size_t i = 0; i < tuples.size(); ++i)
-  {
-    array->GetTuple(static_cast<vtkIdType>(i), tuples[i].data());
-    for (double component : tuples[i])
-    {
-      if (!std::isfinite(component))
-      {
-        std::ostringstream message;
-        message << what << " of point " << i << " is not finite (";
-        for (std::size_t k = 0; k < N; ++k)
-        {
-          message << (k > 0 ? ", " : "") << tuples[i][k];
-        }
-        throw std::invalid_argument(message.str() + ")");
-      }
-    }
-  }
-  return tuples;
-}
-
 vtkDataArray* Find(vtkDataArray* active, vtkPointData* data, const char* name)
 {
   return active ? active : data->GetArray(name);
@@ -86,112 +50,6 @@ vtkDataArray* FindTextureCoordinates(vtkPolyData* input)
       " points, but " + std::to_string(array->GetNumberOfTuples()) + " texture coordinates");
   }
   return array;
-}
-
-/// Null where the input has no normals, or none that fit it.
-vtkDataArray* FindNormals(vtkPolyData* input)
-{
-  vtkPointData* data = input->GetPointData();
-  vtkDataArray* array = Find(data->GetNormals(), data, "Normals");
-  const bool fits = array && array->GetNumberOfComponents() == 3 &&
-    array->GetNumberOfTuples() == input->GetNumberOfPoints();
-  return fits ? array : nullptr;
-}
-
-void CheckCells(vtkCellArray* cells, const char* what, vtkIdType points)
-{
-  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(size, ids);
-    for (vtkIdType k = 0; k < size; ++k)
-    {
-      if (ids[k] < 0 || ids[k] >= points)
-      {
-        throw std::invalid_argument(std::string(what) + " " +
-          std::to_string(iterator->GetCurrentCellId()) + " names point " + std::to_string(ids[k]) +
-          ", and there are " + std::to_string(points));
-      }
-    }
-  }
-}
-
-/// The input's polygons and strips as triangles, over the same points.
-vtkSmartPointer<vtkPolyData> Triangulated(vtkPolyData* input)
-{
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->ShallowCopy(input);
-  const bool triangles = input->GetPolys()->IsHomogeneous() == 3;
-  if (!triangles || input->GetNumberOfPolys() != input->GetNumberOfCells())
-  {
-    vtkNew<vtkTriangleFilter> filter;
-    filter->SetInputData(result);
-    filter->PassVertsOff();
-    filter->PassLinesOff();
-    filter->Update();
-    result = filter->GetOutput();
-  }
-  return result;
-}
-
-std::vector<std::array<std::int64_t, 3>> TrianglesOf(vtkCellArray* cells)
-{
-  std::vector<std::array<std::int64_t, 3>> triangles;
-  triangles.reserve(cells->GetNumberOfCells());
-  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(size, ids);
-    triangles.push_back({ ids[0], ids[1], ids[2] });
-  }
-  return triangles;
-}
-
-/// The input's MesoVertex, or nothing where it does not number positions.
-std::vector<std::int64_t> GivenVertices(
-  vtkPointData* data, const std::vector<MesoVector>& positions)
-{
-  vtkDataArray* array = data->GetArray("MesoVertex");
-  const auto size = static_cast<vtkIdType>(positions.size());
-  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != size)
-  {
-    return {};
-  }
-  std::vector<std::int64_t> vertices(size);
-  std::vector<std::int64_t> first(size, -1);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const double number = array->GetComponent(i, 0);
-    if (!(number >= 0. && number < static_cast<double>(size) && number == std::floor(number)))
-    {
-      return {};
-    }
-    vertices[i] = static_cast<std::int64_t>(number);
-    std::int64_t& other = first[vertices[i]];
-    other = other < 0 ? i : other;
-    if (positions[other] != positions[i])
-    {
-      return {};
-    }
-  }
-  return vertices;
-}
-
-/// Numbers positions from 0 without a gap, in the order of their first point.
-std::vector<std::int64_t> MadeVertices(const std::vector<MesoVector>& positions)
-{
-  std::vector<std::int64_t> vertices = MesoFirstEqual(positions);
-  std::int64_t next = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    const bool isFirst = vertices[i] == static_cast<std::int64_t>(i);
-    vertices[i] = isFirst ? next++ : vertices[vertices[i]];
-  }
-  return vertices;
 }
 
 /// The points and their data, with copies at the end for the sources after the first `points`.
@@ -237,21 +95,6 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::vector<std::array<std::int64_t,
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(3, corners);
   return cells;
-}
-
-template <std::size_t N>
-vtkSmartPointer<vtkDataArray> MakeArray(
-  const char* name, int type, const std::vector<std::array<double, N>>& tuples)
-{
-  const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(N));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
-  for (std::size_t i = 0; i < tuples.size(); ++i)
-  {
-    array->SetTuple(static_cast<vtkIdType>(i), tuples[i].data());
-  }
-  return array;
 }
 
 void Remove(vtkDataArray* array, vtkPointData* data)
@@ -304,7 +147,7 @@ void AddArrays(const MesoFrames& frames, const MesoFramesInput& input, vtkPolyDa
     {
       Remove(data->GetNormals(), data);
     }
-    data->SetNormals(MakeArray("Normals", type, frames.Normals));
+    data->SetNormals(MesoMakeArray("Normals", type, frames.Normals));
   }
   std::vector<std::array<double, 1>> valid;
   std::vector<std::array<double, 1>> vertices;
@@ -313,11 +156,11 @@ void AddArrays(const MesoFrames& frames, const MesoFramesInput& input, vtkPolyDa
     valid.push_back({ frames.Valid[i] ? 1. : 0. });
     vertices.push_back({ static_cast<double>(input.Mesh.Vertex[frames.Source[i]]) });
   }
-  data->AddArray(MakeArray("MesoVertex", VTK_DOUBLE, vertices));
-  data->AddArray(MakeArray("MesoTangent", type, frames.Tangents));
-  data->AddArray(MakeArray("MesoBitangent", type, frames.Bitangents));
-  data->AddArray(MakeArray("MesoTileScale", type, frames.Scales));
-  data->AddArray(MakeArray("MesoFrameValid", type, valid));
+  data->AddArray(MesoMakeArray("MesoVertex", VTK_DOUBLE, vertices));
+  data->AddArray(MesoMakeArray("MesoTangent", type, frames.Tangents));
+  data->AddArray(MesoMakeArray("MesoBitangent", type, frames.Bitangents));
+  data->AddArray(MesoMakeArray("MesoTileScale", type, frames.Scales));
+  data->AddArray(MesoMakeArray("MesoFrameValid", type, valid));
 }
 }
 
@@ -357,25 +200,25 @@ void vtkMesoSurfaceFrames::Execute(vtkPolyData* input, vtkPolyData* output)
   }
   MesoFramesInput frame;
   vtkDataArray* coordinates = FindTextureCoordinates(input);
-  frame.TextureCoordinates = Tuples<2>(coordinates, "the texture coordinate");
-  frame.TextureRounding = RoundingOf(coordinates);
+  frame.TextureCoordinates = MesoTuples<2>(coordinates, "the texture coordinate");
+  frame.TextureRounding = MesoRoundingOf(coordinates);
   vtkDataArray* positions = input->GetPoints()->GetData();
-  frame.Mesh.Positions = Tuples<3>(positions, "the position");
-  frame.Mesh.PositionRounding = RoundingOf(positions);
-  if (vtkDataArray* normals = FindNormals(input))
+  frame.Mesh.Positions = MesoTuples<3>(positions, "the position");
+  frame.Mesh.PositionRounding = MesoRoundingOf(positions);
+  if (vtkDataArray* normals = MesoFindNormals(input))
   {
-    frame.Normals = Tuples<3>(normals, "the normal");
+    frame.Normals = MesoTuples<3>(normals, "the normal");
   }
-  CheckCells(input->GetPolys(), "polygon", points);
-  CheckCells(input->GetStrips(), "strip", points);
+  MesoCheckCells(input->GetPolys(), "polygon", points);
+  MesoCheckCells(input->GetStrips(), "strip", points);
   this->UpdateProgress(0.2);
 
-  const vtkSmartPointer<vtkPolyData> triangles = Triangulated(input);
-  frame.Mesh.Triangles = TrianglesOf(triangles->GetPolys());
-  frame.Mesh.Vertex = GivenVertices(input->GetPointData(), frame.Mesh.Positions);
+  const vtkSmartPointer<vtkPolyData> triangles = MesoTriangulated(input);
+  frame.Mesh.Triangles = MesoTrianglesOf(triangles->GetPolys());
+  frame.Mesh.Vertex = MesoGivenVertices(input->GetPointData(), frame.Mesh.Positions);
   if (frame.Mesh.Vertex.empty())
   {
-    frame.Mesh.Vertex = MadeVertices(frame.Mesh.Positions);
+    frame.Mesh.Vertex = MesoMadeVertices(frame.Mesh.Positions);
   }
   frame.SplitNormals = this->SplitNormals;
   frame.FeatureAngle = this->FeatureAngle;
