@@ -203,7 +203,8 @@ TEST(CurvatureComplaints, MinimumAndMaximumAreNotSwapped)
     const MesoVector p = PositionOf(mesh.Mesh, static_cast<vtkIdType>(i));
     const double cosine = (std::hypot(p[0], p[1]) - 1.) / 0.4;
     EXPECT_GT(run.Curvatures[i][0], 2.4);
-    EXPECT_EQ(run.Curvatures[i][1] < 0., cosine < 0.) << cosine << " " << run.Curvatures[i][1];
+    EXPECT_TRUE(std::abs(cosine) < 0.05 || (run.Curvatures[i][1] < 0.) == (cosine < 0.))
+      << cosine << " " << run.Curvatures[i][1];
     EXPECT_GT(std::abs(MesoDot(run.Directions[i][0], mesh.Directions[i])), 0.999);
   }
 }
