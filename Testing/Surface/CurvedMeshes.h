@@ -143,7 +143,7 @@ inline CurvedMesh SampleSurface(
   {
     for (int i = 0; i < nu; ++i)
     {
-      const auto at = [&](int a, int b) { return vtkIdType((b % pv) * pu + a % pu); };
+      const auto at = [&](int a, int b) { return vtkIdType(b % pv) * pu + a % pu; };
       // Jittered meshes have their diagonals at random.
       const bool turn = jitter > 0. && (random() & 1u) != 0u;
       const std::array<vtkIdType, 4> q = { at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) };

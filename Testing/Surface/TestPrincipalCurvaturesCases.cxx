@@ -29,7 +29,7 @@ vtkSmartPointer<vtkPolyData> CappedCylinder(int sides, int rings)
 {
   std::vector<MesoVector> positions;
   std::vector<std::vector<vtkIdType>> cells;
-  const auto at = [&](int ring, int side) { return vtkIdType(ring * sides + side % sides); };
+  const auto at = [&](int ring, int side) { return vtkIdType(ring) * sides + side % sides; };
   // Rings 0 to `rings` - 1 on the cap, the next on its rim, then down the side.
   for (int ring = 0; ring <= 2 * rings; ++ring)
   {

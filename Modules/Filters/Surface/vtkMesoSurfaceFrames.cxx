@@ -86,7 +86,7 @@ void CopyPoints(vtkPolyData* from, const std::vector<std::int64_t>& source, vtkP
 vtkSmartPointer<vtkCellArray> CellsOf(const std::vector<std::array<std::int64_t, 3>>& triangles)
 {
   vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(3 * triangles.size()));
+  corners->SetNumberOfValues(3 * static_cast<vtkIdType>(triangles.size()));
   vtkIdType* next = corners->GetPointer(0);
   for (const auto& triangle : triangles)
   {
