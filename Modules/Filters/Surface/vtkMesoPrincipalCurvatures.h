@@ -55,7 +55,7 @@ public:
 
   ///@{
   /// Degrees, 0 to 180: an edge is a crease where the normals of its two triangles differ by more.
-  /// Default: 45.
+  /// Default: 60.
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);
   ///@}
@@ -78,7 +78,7 @@ private:
 
   void Execute(vtkPolyData* input, vtkPolyData* output);
 
-  double FeatureAngle = 45.;
+  double FeatureAngle = 60.;
   std::string ErrorMessage;
   vtkIdType NumberOfPointsWithout = 0;
 };

@@ -85,7 +85,7 @@ public:
 
   ///@{
   /// Degrees, 0 to 180: an edge is a crease where the normals of its two triangles differ by more.
-  /// Default: 45.
+  /// Default: 60.
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);
   ///@}
@@ -112,7 +112,7 @@ private:
   bool Slopes = true;
   int Rings = 2;
   bool NormalEquations = false;
-  double FeatureAngle = 45.;
+  double FeatureAngle = 60.;
   std::string ErrorMessage;
   vtkIdType NumberOfPointsWithout = 0;
 };
