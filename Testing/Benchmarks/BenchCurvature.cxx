@@ -1,5 +1,5 @@
-// How exact vtkMesoPrincipalCurvatures and vtkMesoQuadricFit are and what they cost, beside vtkCurvatures
-// and, where this was built with CGAL, its jets in the same run.
+// How exact vtkMesoPrincipalCurvatures and vtkMesoQuadricFit are and what they cost, beside
+// vtkCurvatures and, where this was built with CGAL, its jets in the same run.
 
 #include "CurvedMeshes.h"
 #include "JetOracle.h"

@@ -16,8 +16,8 @@ struct CurvatureRun
   vtkSmartPointer<vtkPolyData> Output;
 };
 
-/// Also expects what holds on every mesh: finite values, order, directions that are an orthonormal pair
-/// at right angles to the normal, and zeros exactly where the confidence is 0.
+/// Also expects what holds on every mesh: finite values, order, directions that are an orthonormal
+/// pair at right angles to the normal, and zeros exactly where the confidence is 0.
 inline CurvatureRun RunCurvatures(vtkPolyData* mesh, double featureAngle = 60.)
 {
   CurvatureRun run;

@@ -71,8 +71,8 @@ TEST(CurvatureAccuracy, DoesNotDependOnScaleNorOnPlace)
   const CurvedMesh mesh = SampleNamed("torus", 2000, Jitter);
   const CurvatureRun run = RunCurvatures(mesh.Mesh);
   const double far = 1e6;
-  // Positions 1e6 off have lost 1e-10, which second differences over edges of .06 multiply by 300 and
-  // the fit's conditioning by some tens.
+  // Positions 1e6 off have lost 1e-10, which second differences over edges of .06 multiply by 300
+  // and the fit's conditioning by some tens.
   for (const auto& [scale, offset, tolerance] : { std::array<double, 3>{ 1e-6, 0., 1e-9 },
          std::array<double, 3>{ 1e6, 0., 1e-9 }, std::array<double, 3>{ 1., far, 1e-5 } })
   {

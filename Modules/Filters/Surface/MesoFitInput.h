@@ -35,8 +35,8 @@ MesoFitInput MesoReadFitInput(vtkPolyData* input);
 /// The input's points, triangles and data, with Normals and MesoVertex.
 void MesoWriteFitOutput(const MesoFitInput& input, vtkPolyData* output);
 
-/// Calls work(i, space) for 0 <= i < size in parallel; progress runs from `from` to `to`. False where
-/// the algorithm was aborted.
+/// Calls work(i, space) for 0 <= i < size in parallel; progress runs from `from` to `to`. False
+/// where the algorithm was aborted.
 template <typename Work>
 bool MesoForEachFit(
   vtkAlgorithm* algorithm, std::int64_t size, double from, double to, const Work& work)

@@ -8,8 +8,8 @@ namespace
 {
 // Neighbours whose spread across is less than this part of that along lie on a line.
 constexpr double LeastSpread = 1e-3;
-// Elements of R relative to the first, below which a polynomial is not determined. Rings of a regular
-// mesh give about 1e-2 in degree 4.
+// Elements of R relative to the first, below which a polynomial is not determined. Rings of a
+// regular mesh give about 1e-2 in degree 4.
 constexpr double RankTolerance = 2e-4;
 // Of the precision that MesoJetFit.h defines: below, what is fitted is noise.
 constexpr double LeastPrecision = 0.1;

@@ -10,9 +10,9 @@
  *     z(x, y) = sum a_ij x^i y^j,   1 <= i + j <= d,   x = (q - p) . e1,  y = (q - p) . e2
  *
  * by least squares (Cazals and Pouget 2005, "Estimating differential quantities using polynomial
- * fitting of osculating jets"); there is no constant, for the surface runs through p. With d = 4 the
- * second derivatives' error falls with the third power of the neighbours' distance h (with h^4 where
- * they lie symmetrically around p), with d = 3 and 2 with h^2 and h.
+ * fitting of osculating jets"); there is no constant, for the surface runs through p. With d = 4
+ * the second derivatives' error falls with the third power of the neighbours' distance h (with h^4
+ * where they lie symmetrically around p), with d = 3 and 2 with h^2 and h.
  *
  * e1, e2 are the axes of the neighbours' second moments in the tangent plane and x, y are taken in
  * units of their spread along them, so that what is fitted does not depend on the mesh's anisotropy
@@ -46,13 +46,13 @@ constexpr std::size_t MesoQuarticNeighbours = 18;
 
 /**
  * `offsets` are q - p, nearest first; `normal` is unit. Degrees `highest` (4, 3 or 2) down to
- * `lowest` are tried: 4 needs 18 neighbours, 3 needs 12, 2 needs 6, and each a matrix of full rank and
- * a precision of 1/10.
+ * `lowest` are tried: 4 needs 18 neighbours, 3 needs 12, 2 needs 6, and each a matrix of full rank
+ * and a precision of 1/10.
  *
  * Confidence = degree * sidedness * precision, each from 0 to 1:
  * - 1, 3/4 and 1/2 for degrees 4, 3 and 2;
- * - 1 - |m|^2 / 2 with m the mean of the neighbours' (x, y) in units of their spread: 1 in the middle,
- *   about .6 at a straight border, .3 at a corner;
+ * - 1 - |m|^2 / 2 with m the mean of the neighbours' (x, y) in units of their spread: 1 in the
+ *   middle, about .6 at a straight border, .3 at a corner;
  * - 1 / (1 + r e), e the standard error of the curvatures that the fit's residuals tell and r the
  *   radius of the neighbourhood.
  */

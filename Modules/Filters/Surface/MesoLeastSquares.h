@@ -5,8 +5,8 @@
  * @file MesoLeastSquares.h
  * @brief Least squares with few unknowns: Householder QR with column pivoting, without allocation.
  *
- * Columns are scaled to unit length first, so that the rank does not depend on their units. Rows are
- * contiguous, so that both halves of a reflection run along them.
+ * Columns are scaled to unit length first, so that the rank does not depend on their units. Rows
+ * are contiguous, so that both halves of a reflection run along them.
  */
 
 #include <algorithm>
@@ -27,8 +27,8 @@ public:
   const RowType& GetRow(std::size_t i) const { return this->Row[i]; }
   std::size_t NumberOfRows() const { return this->Rows; }
 
-  /// Whether there is one solution: the diagonal of R does not fall below `tolerance` times its first
-  /// element. The rows are consumed.
+  /// Whether there is one solution: the diagonal of R does not fall below `tolerance` times its
+  /// first element. The rows are consumed.
   bool Solve(double tolerance)
   {
     if (this->Rows < Columns || !this->ScaleColumns())
@@ -50,8 +50,8 @@ public:
   /// By column, after Solve().
   const std::array<double, Columns>& GetSolution() const { return this->Solution; }
 
-  /// Root of the mean square of what is left, over the rows that are more than the unknowns; 0 where
-  /// there are none.
+  /// Root of the mean square of what is left, over the rows that are more than the unknowns; 0
+  /// where there are none.
   double ResidualDeviation() const
   {
     double sum = 0.;

@@ -9,8 +9,8 @@ constexpr double WorstCondition = 1e6;
 // Of R's diagonal, far below what the worst condition allows.
 constexpr double RankTolerance = 1e-9;
 
-/// Singular values' ratio of the columns, which are orthogonalized in pairs (one-sided Jacobi); 0 where
-/// one vanishes.
+/// Singular values' ratio of the columns, which are orthogonalized in pairs (one-sided Jacobi); 0
+/// where one vanishes.
 template <std::size_t N>
 double ConditionOf(std::array<std::array<double, N>, N> column)
 {

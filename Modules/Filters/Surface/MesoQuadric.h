@@ -10,8 +10,8 @@
  *
  *     z = -(q - p) . n,    z(x, y) = a x^2 + b y^2 + c x y
  *
- * (Oliveira2005, section 3, equations 1 and 2, with c = 0), so that a > 0 where the surface is convex:
- * at a point of a smooth surface with principal directions x, y the limit is a = c_max / 2,
+ * (Oliveira2005, section 3, equations 1 and 2, with c = 0), so that a > 0 where the surface is
+ * convex: at a point of a smooth surface with principal directions x, y the limit is a = c_max / 2,
  * b = c_min / 2, c = 0. Coordinates are taken in units of the neighbours' distance.
  */
 
@@ -29,9 +29,9 @@ enum class MesoQuadricSolver
 struct MesoQuadricOptions
 {
   bool Full = true; ///< fit c; else c = 0
-  /// Fit slopes of the tangent plane, d x + e y, beside, and leave them out of the result: where n is
-  /// a mesh's estimate its error is of the size of the curvature's effect. Needs two more neighbours;
-  /// where there are not as many, slopes are not fitted.
+  /// Fit slopes of the tangent plane, d x + e y, beside, and leave them out of the result: where n
+  /// is a mesh's estimate its error is of the size of the curvature's effect. Needs two more
+  /// neighbours; where there are not as many, slopes are not fitted.
   bool Slopes = false;
   MesoQuadricSolver Solver = MesoQuadricSolver::QR;
   /// Depths up to this are rounding, in object units: where all are, the quadric is 0.
@@ -45,8 +45,8 @@ struct MesoQuadric
   double C = 0.;
   /// Ratio of the largest to the least singular value of the equations' matrix with its columns
   /// scaled to unit length: 1 or more. 0 where there is no fit, and all else is 0: fewer neighbours
-  /// than unknowns, neighbours on one line or on a pair of lines that quadrics do not differ on, or a
-  /// condition above 1e6.
+  /// than unknowns, neighbours on one line or on a pair of lines that quadrics do not differ on, or
+  /// a condition above 1e6.
   double Condition = 0.;
 };
 

@@ -24,9 +24,9 @@ MESOFILTERSSURFACE_EXPORT void MesoGatherNeighbours(const MesoSmoothPatches& pat
   MesoFitSpace& space);
 
 /**
- * The principal curvatures at a site, from two rings or as many as give 18 neighbours, at most five;
- * from one more where a polynomial of degree 4 is not determined, then with a lower degree. Fewer
- * than six neighbours, or neighbours on a line, give zeros.
+ * The principal curvatures at a site, from two rings or as many as give 18 neighbours, at most
+ * five; from one more where a polynomial of degree 4 is not determined, then with a lower degree.
+ * Fewer than six neighbours, or neighbours on a line, give zeros.
  */
 MESOFILTERSSURFACE_EXPORT MesoPrincipalCurvature MesoFitSiteCurvature(
   const MesoSmoothPatches& patches, std::int64_t site, MesoFitSpace& space);

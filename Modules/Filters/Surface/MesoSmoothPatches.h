@@ -7,9 +7,9 @@
  *
  * A **site** is a merged vertex together with a set of triangles around it that are joined by edges
  * bent by no more than the feature angle (MesoMakeCornerNormals with `split`). A vertex within a
- * smooth surface is one site, whatever seams the texture has; one on a crease has a site on each side
- * of it. Sites are neighbours where a triangle's edge joins them, so that no path leads across a
- * crease.
+ * smooth surface is one site, whatever seams the texture has; one on a crease has a site on each
+ * side of it. Sites are neighbours where a triangle's edge joins them, so that no path leads across
+ * a crease.
  */
 
 #include "MesoCornerNormals.h"
@@ -27,11 +27,12 @@ public:
   {
     return this->Mesh.Positions[this->Points[site]];
   }
-  /// The site that a point's triangles meet in; -1 where it has no triangle with area. Where they meet
-  /// in several, for a crease runs through or sheets touch there, it is the one that has more than 4/5
-  /// of their angles (the rest then is slivers or a fold), or -1.
+  /// The site that a point's triangles meet in; -1 where it has no triangle with area. Where they
+  /// meet in several, for a crease runs through or sheets touch there, it is the one that has more
+  /// than 4/5 of their angles (the rest then is slivers or a fold), or -1.
   std::int64_t SiteOf(std::int64_t point) const { return this->SiteOfPoint[point]; }
-  /// Which part of the angles around the point its site has: 1 within smooth surface, 0 without site.
+  /// Which part of the angles around the point its site has: 1 within smooth surface, 0 without
+  /// site.
   double ShareOf(std::int64_t point) const { return this->ShareOfPoint[point]; }
 
   /// Bookkeeping of one thread.

@@ -21,7 +21,8 @@ struct Arrays
   std::vector<std::array<double, 1>> Confidences;
 };
 
-/// The pair turned into the plane at right angles to a unit normal; false where there is no such pair.
+/// The pair turned into the plane at right angles to a unit normal; false where there is no such
+/// pair.
 bool TurnIntoPlane(const MesoVector& normal, MesoVector& first, MesoVector& second)
 {
   first = MesoDifference(first, MesoScaled(normal, MesoDot(first, normal)));

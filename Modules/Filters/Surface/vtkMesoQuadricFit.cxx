@@ -43,8 +43,8 @@ std::array<MesoVector, 2> AxesOf(const MesoVector& tangent, const MesoVector& no
   return { unit, MesoCross(normal, unit) };
 }
 
-/// Depths below this are rounding: of positions by their distance from the origin, and of the normal
-/// by the neighbours' distance.
+/// Depths below this are rounding: of positions by their distance from the origin, and of the
+/// normal by the neighbours' distance.
 double RoundingAt(const MesoVector& position, const std::vector<MesoVector>& offsets,
   double ofPositions, double ofNormals)
 {

@@ -12,8 +12,8 @@
  * Output port 0: vtkPolyData, the same points with the input's point and cell data, `Normals`,
  * `MesoVertex`, and the point data
  * - `MesoQuadric` (3): a, b, c of z = a x^2 + b y^2 + c x y in 1 / object unit, in object space.
- * - `MesoQuadricCondition` (1): ratio of singular values of the equations, columns of unit length; 1
- *   or more. 0 where there is no fit; the quadric is 0 there too, a plane.
+ * - `MesoQuadricCondition` (1): ratio of singular values of the equations, columns of unit length;
+ *   1 or more. 0 where there is no fit; the quadric is 0 there too, a plane.
  *
  * **The axes.** With n the point's unit normal and T its `MesoTangent`,
  *
@@ -25,20 +25,20 @@
  * step (du, dv) is x = s_u du + s_v (B . x) dv, y = s_v (B . y) dv. Where T lies along n or has no
  * length, x and y are any such pair, and MesoFrameValid is 0.
  *
- * MesoQuadric.h has the equations. Neighbours are those of Rings rings around the merged vertex that
- * can be reached without crossing a crease (MesoSmoothPatches.h). With Full off and Slopes off, one ring
- * and NormalEquations it is the fit of Oliveira2005, section 3, equation 2. On meshes whose normals are
- * estimates, Slopes with two rings is far more exact.
+ * MesoQuadric.h has the equations. Neighbours are those of Rings rings around the merged vertex
+ * that can be reached without crossing a crease (MesoSmoothPatches.h). With Full off and Slopes
+ * off, one ring and NormalEquations it is the fit of Oliveira2005, section 3, equation 2. On meshes
+ * whose normals are estimates, Slopes with two rings is far more exact.
  *
- * 0, not noise, are the quadrics of planes (depths within the rounding of positions and normals), of
- * points with too few neighbours or with all of them on one line, of isolated points, and of points of
- * a crease that belong to both sides. No array is ever NaN. Arrays are double where the input's
- * positions are double, else float. vtkSMPTools runs over the points; results do not depend on the
- * number of threads. An update that is aborted gives an empty output.
+ * 0, not noise, are the quadrics of planes (depths within the rounding of positions and normals),
+ * of points with too few neighbours or with all of them on one line, of isolated points, and of
+ * points of a crease that belong to both sides. No array is ever NaN. Arrays are double where the
+ * input's positions are double, else float. vtkSMPTools runs over the points; results do not depend
+ * on the number of threads. An update that is aborted gives an empty output.
  *
- * An input without points gives an output without points. One vtkErrorMacro line and an empty output
- * are given for a missing `MesoTangent`, positions, normals or tangents that are not finite (the first
- * point is named), and cells with points that do not exist.
+ * An input without points gives an output without points. One vtkErrorMacro line and an empty
+ * output are given for a missing `MesoTangent`, positions, normals or tangents that are not finite
+ * (the first point is named), and cells with points that do not exist.
  *
  * @sa vtkMesoPrincipalCurvatures vtkMesoSurfaceFrames
  */
@@ -63,7 +63,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether slopes are fitted beside and left out, to make up for errors of the normals. Default: on.
+  /// Whether slopes are fitted beside and left out, to make up for errors of the normals. Default:
+  /// on.
   vtkSetMacro(Slopes, bool);
   vtkGetMacro(Slopes, bool);
   vtkBooleanMacro(Slopes, bool);
@@ -76,8 +77,8 @@ public:
   ///@}
 
   ///@{
-  /// Whether the normal equations are solved, as in Oliveira2005, or a QR factorization of the equations
-  /// themselves. Default: off.
+  /// Whether the normal equations are solved, as in Oliveira2005, or a QR factorization of the
+  /// equations themselves. Default: off.
   vtkSetMacro(NormalEquations, bool);
   vtkGetMacro(NormalEquations, bool);
   vtkBooleanMacro(NormalEquations, bool);
