@@ -14,6 +14,9 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string>
 
 /// The input as triangles with a normal each point. Output and arrays have the input's points.
 struct MesoFitInput
@@ -34,6 +37,25 @@ MesoFitInput MesoReadFitInput(vtkPolyData* input);
 
 /// The input's points, triangles and data, with Normals and MesoVertex.
 void MesoWriteFitOutput(const MesoFitInput& input, vtkPolyData* output);
+
+/// Runs a filter's work. Returns what it failed by, or an empty text; `what` names its result.
+template <typename Work>
+std::string MesoFitFailure(const char* what, const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return std::string("there is not enough memory for the ") + what + " of this mesh";
+  }
+  return {};
+}
 
 /// Calls work(i, space) for 0 <= i < size in parallel; progress runs from `from` to `to`. False
 /// where the algorithm was aborted.

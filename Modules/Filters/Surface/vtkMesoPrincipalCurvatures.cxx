@@ -70,20 +70,9 @@ int vtkMesoPrincipalCurvatures::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->ErrorMessage.clear();
   this->NumberOfPointsWithout = 0;
-  try
-  {
-    this->Execute(vtkPolyData::GetData(inputVector[0]), output);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    this->ErrorMessage = error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->ErrorMessage = "there is not enough memory for the curvatures of this mesh";
-  }
+  this->ErrorMessage = MesoFitFailure(
+    "curvatures", [&] { this->Execute(vtkPolyData::GetData(inputVector[0]), output); });
   if (!this->ErrorMessage.empty())
   {
     output->Initialize();

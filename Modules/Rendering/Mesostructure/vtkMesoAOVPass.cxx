@@ -105,7 +105,11 @@ std::pair<int, int> vtkMesoAOVPass::Locate(const std::string& channel) const
 
 float vtkMesoAOVPass::GetValue(const std::string& channel, int column, int row) const
 {
-  const auto place = this->Locate(channel);
+  return this->ValueAt(this->Locate(channel), column, row);
+}
+
+float vtkMesoAOVPass::ValueAt(const std::pair<int, int>& place, int column, int row) const
+{
   if (place.first < 0 || place.first >= static_cast<int>(this->Targets.size()) || column < 0 ||
     row < 0 || column >= this->Size[0] || row >= this->Size[1])
   {
@@ -123,15 +127,21 @@ std::vector<float> vtkMesoAOVPass::GetChannel(const std::string& channel) const
 
 std::vector<float> vtkMesoAOVPass::GetInterleaved(const std::vector<std::string>& channels) const
 {
+  std::vector<std::pair<int, int>> places;
+  places.reserve(channels.size());
+  for (const std::string& channel : channels)
+  {
+    places.push_back(this->Locate(channel));
+  }
   std::vector<float> values;
   values.reserve(channels.size() * this->Size[0] * this->Size[1]);
   for (int row = 0; row < this->Size[1]; ++row)
   {
     for (int column = 0; column < this->Size[0]; ++column)
     {
-      for (const std::string& channel : channels)
+      for (const auto& place : places)
       {
-        values.push_back(this->GetValue(channel, column, row));
+        values.push_back(this->ValueAt(place, column, row));
       }
     }
   }

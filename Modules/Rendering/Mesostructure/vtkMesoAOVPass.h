@@ -82,6 +82,8 @@ private:
 
   /// Where a channel lies: target and component; target -1 when there is no such channel.
   std::pair<int, int> Locate(const std::string& channel) const;
+  /// The value at a place that Locate gave; NaN where there is none.
+  float ValueAt(const std::pair<int, int>& place, int column, int row) const;
   void ReadBack();
 
   vtkNew<vtkCameraPass> CameraPass;
