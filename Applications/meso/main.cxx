@@ -1,6 +1,7 @@
 // meso: dispatches to one command a verb.
 // Exit: 0 on success, 1 on a failed job, 2 on wrong usage.
 
+#include "CommandReference.h"
 #include "CommandRender.h"
 
 #include <CLI/CLI.hpp>
@@ -15,6 +16,7 @@ int main(int argc, char* argv[])
   app.footer("Example: meso render scene.json -o scene.png\n"
              "Each command has its own help: meso render --help");
   CommandRender render(app);
+  CommandReference reference(app);
   try
   {
     app.parse(argc, argv);
@@ -22,7 +24,7 @@ int main(int argc, char* argv[])
     {
       throw CLI::RequiredError("A command");
     }
-    return render.Run();
+    return app.got_subcommand("reference") ? reference.Run() : render.Run();
   }
   catch (const CLI::Success& asked) // help, version
   {
@@ -30,8 +32,9 @@ int main(int argc, char* argv[])
   }
   catch (const CLI::ParseError& problem)
   {
-    const char* help = app.get_subcommands().empty() ? "meso --help" : "meso render --help";
-    std::cerr << "meso: " << problem.what() << " (see " << help << ")\n";
+    const std::string verb =
+      app.get_subcommands().empty() ? "" : app.get_subcommands().front()->get_name() + " ";
+    std::cerr << "meso: " << problem.what() << " (see meso " << verb << "--help)\n";
     return 2;
   }
   catch (const std::exception& problem)

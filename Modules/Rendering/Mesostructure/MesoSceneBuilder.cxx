@@ -410,3 +410,21 @@ void MesoSceneBuilder::Build(const MesoScene& scene, vtkRenderer* renderer)
   }
   this->SetCamera(scene.Camera, renderer);
 }
+
+MesoExrAttributes MesoSceneBuilder::GetAOVAttributes() const
+{
+  MesoExrAttributes attributes;
+  for (const Object& object : this->Objects)
+  {
+    const std::string prefix = "meso." + std::to_string(object.Number) + ".";
+    attributes[prefix + "name"] = object.Name;
+    attributes[prefix + "scale"] = object.Options.Scale;
+    if (object.HeightMap)
+    {
+      const int* size = object.HeightMap->GetDimensions();
+      attributes[prefix + "map_width"] = static_cast<double>(size[0]);
+      attributes[prefix + "map_height"] = static_cast<double>(size[1]);
+    }
+  }
+  return attributes;
+}

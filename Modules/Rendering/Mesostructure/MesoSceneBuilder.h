@@ -1,6 +1,7 @@
 #ifndef MesoSceneBuilder_h
 #define MesoSceneBuilder_h
 
+#include "MesoExr.h"   // for MesoExrAttributes
 #include "MesoScene.h"
 #include "mesoRenderingMesostructureModule.h" // for export macro
 #include "vtkSmartPointer.h"
@@ -44,6 +45,9 @@ public:
   const std::vector<Object>& GetObjects() const { return this->Objects; }
   /// What is odd but no error, a line each, to be shown to the user.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+  /// What stands beside AOVs in a file: of each object "meso.<number>." with name, scale (D) and,
+  /// where it has a map, map_width and map_height.
+  MesoExrAttributes GetAOVAttributes() const;
 
 private:
   void AddNode(const MesoScene& scene, const MesoSceneNode& node, const std::string& place,
