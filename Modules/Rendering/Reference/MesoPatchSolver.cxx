@@ -18,8 +18,7 @@ double Cross(const glm::dvec2& a, const glm::dvec2& b)
 
 MesoRect Overlap(const MesoRect& a, const MesoRect& b)
 {
-  return { std::max(a.X0, b.X0), std::min(a.X1, b.X1), std::max(a.Y0, b.Y0),
-    std::min(a.Y1, b.Y1) };
+  return { std::max(a.X0, b.X0), std::min(a.X1, b.X1), std::max(a.Y0, b.Y0), std::min(a.Y1, b.Y1) };
 }
 
 double LargestPartOf(const glm::dvec3& v)
@@ -46,8 +45,7 @@ MesoPatchSolver::MesoPatchSolver(
 
 double MesoPatchSolver::Rounding(const glm::dvec3& middle) const
 {
-  return 32. * Epsilon *
-    (this->LargestPart + LargestPartOf(middle) + std::abs(this->Over.Scale));
+  return 32. * Epsilon * (this->LargestPart + LargestPartOf(middle) + std::abs(this->Over.Scale));
 }
 
 bool MesoPatchSolver::Touches(const Enclosure& enclosure, double& tLow) const
@@ -158,8 +156,7 @@ bool MesoPatchSolver::FirstHit(const MesoBasePatch& patch, const MesoDisplacemen
   return this->Found;
 }
 
-void MesoPatchSolver::VisitTiles(
-  std::int64_t x0, std::int64_t x1, std::int64_t y0, std::int64_t y1)
+void MesoPatchSolver::VisitTiles(std::int64_t x0, std::int64_t x1, std::int64_t y0, std::int64_t y1)
 {
   if (this->Finished())
   {
@@ -189,11 +186,10 @@ void MesoPatchSolver::VisitTiles(
   for (int k = 0; k < 2; ++k)
   {
     Part& part = parts[k];
-    const MesoRect rect = Overlap({ map.X().Low(part.X0, 0),
-                                    map.X().High(part.X1, map.X().Cells() - 1),
-                                    map.Y().Low(part.Y0, 0),
-                                    map.Y().High(part.Y1, map.Y().Cells() - 1) },
-      this->Patch->Domain());
+    const MesoRect rect =
+      Overlap({ map.X().Low(part.X0, 0), map.X().High(part.X1, map.X().Cells() - 1),
+                map.Y().Low(part.Y0, 0), map.Y().High(part.Y1, map.Y().Cells() - 1) },
+        this->Patch->Domain());
     reached[k] = !rect.Empty() && !this->Patch->Misses(rect) &&
       this->Reaches(rect, range.Low, range.High, part.TLow);
   }
@@ -226,8 +222,7 @@ bool MesoPatchSolver::BlockReached(std::int64_t tileX, std::int64_t tileY, Block
   {
     return false;
   }
-  const MesoHeightPyramid::Range range =
-    this->Over.Map->RangeOf(block.Level, block.I, block.J);
+  const MesoHeightPyramid::Range range = this->Over.Map->RangeOf(block.Level, block.I, block.J);
   return this->Reaches(rect, range.Low, range.High, block.TLow);
 }
 
@@ -315,10 +310,8 @@ MesoPatchSolver::Offset MesoPatchSolver::OffsetAt(const Cell& cell, double x, do
   const double a = x - cell.X0;
   const double b = y - cell.Y0;
   const double scale = this->Over.Scale;
-  return {
-    (cell.H00 - this->Over.Reference + a * cell.HX + b * cell.HY + a * b * cell.HXY) * scale,
-    (cell.HX + b * cell.HXY) * scale, (cell.HY + a * cell.HXY) * scale, cell.HXY * scale
-  };
+  return { (cell.H00 - this->Over.Reference + a * cell.HX + b * cell.HY + a * b * cell.HXY) * scale,
+    (cell.HX + b * cell.HXY) * scale, (cell.HY + a * cell.HXY) * scale, cell.HXY * scale };
 }
 
 void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int depth)
@@ -338,8 +331,7 @@ void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int dep
   this->Patch->Evaluate(rect, middle, bends);
   const double x = 0.5 * (rect.X1 - rect.X0);
   const double y = 0.5 * (rect.Y1 - rect.Y0);
-  const Offset at =
-    this->OffsetAt(cell, 0.5 * (rect.X0 + rect.X1), 0.5 * (rect.Y0 + rect.Y1));
+  const Offset at = this->OffsetAt(cell, 0.5 * (rect.X0 + rect.X1), 0.5 * (rect.Y0 + rect.Y1));
   const double twist = std::abs(at.Gxy);
   const double mostGx = std::abs(at.Gx) + twist * y;
   const double mostGy = std::abs(at.Gy) + twist * x;
@@ -365,8 +357,7 @@ void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int dep
   {
     // Bounds of q's second derivatives; Taylor about the middle.
     const double xx = bends.Pxx + 2. * mostGx * bends.Nx + mostG * bends.Nxx;
-    const double xy =
-      bends.Pxy + twist + mostGx * bends.Ny + mostGy * bends.Nx + mostG * bends.Nxy;
+    const double xy = bends.Pxy + twist + mostGx * bends.Ny + mostGy * bends.Nx + mostG * bends.Nxy;
     const double yy = bends.Pyy + 2. * mostGy * bends.Ny + mostG * bends.Nyy;
     enclosure.Middle = middle.P + at.G * middle.N;
     enclosure.Edges[0] = x * qx;
@@ -385,8 +376,8 @@ void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int dep
     const double lengthX = std::sqrt(glm::dot(jx, jx));
     const double lengthY = std::sqrt(glm::dot(jy, jy));
     const double change = lengthX * changeY + lengthY * changeX + changeX * changeY;
-    const double edgeOn = 64. * Epsilon * glm::length(enclosure.Edges[0]) *
-      glm::length(enclosure.Edges[1]);
+    const double edgeOn =
+      64. * Epsilon * glm::length(enclosure.Edges[0]) * glm::length(enclosure.Edges[1]);
     if (this->Wanted != 0. ? this->Wanted * determinant + change <= edgeOn
                            : std::abs(determinant) + change <= edgeOn)
     {

@@ -34,10 +34,10 @@
 /// How much there was to do.
 struct MesoSolverWork
 {
-  std::uint64_t Blocks = 0;      ///< enclosures of blocks of cells
-  std::uint64_t Pieces = 0;      ///< enclosures of cells and their pieces
-  std::uint64_t Unresolved = 0;  ///< cells given up
-  double LargestResidual = 0.;   ///< of accepted hits: |q - ray| / size of what was added up
+  std::uint64_t Blocks = 0;     ///< enclosures of blocks of cells
+  std::uint64_t Pieces = 0;     ///< enclosures of cells and their pieces
+  std::uint64_t Unresolved = 0; ///< cells given up
+  double LargestResidual = 0.;  ///< of accepted hits: |q - ray| / size of what was added up
 };
 
 /// What is laid over a patch.
@@ -140,7 +140,7 @@ private:
   glm::dvec3 Direction;
   glm::dvec3 Axis0; ///< with Axis1 and the direction right-handed and orthonormal
   glm::dvec3 Axis1;
-  double PerSquare;  ///< 1 / |d|^2
+  double PerSquare;   ///< 1 / |d|^2
   double LargestPart; ///< of the origin
   double TMin;
   double TMax;

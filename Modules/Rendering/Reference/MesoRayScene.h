@@ -15,7 +15,7 @@
  * MesoRayQuery::TestTriangle.
  */
 
-#include "MesoBasePatch.h" // for MesoBox
+#include "MesoBasePatch.h"                // for MesoBox
 #include "mesoRenderingReferenceModule.h" // for export macro
 
 #include <array>
@@ -54,8 +54,7 @@ public:
 
   /// Add primitives 0 to count - 1 with their boxes; a box that is not finite is left out. Returns
   /// the number that queries are told, from 0 in order of adding.
-  int AddPrimitives(
-    std::size_t count, const std::function<MesoBox(std::size_t primitive)>& boxOf);
+  int AddPrimitives(std::size_t count, const std::function<MesoBox(std::size_t primitive)>& boxOf);
   /// Add triangles by their corners.
   int AddTriangles(
     const std::vector<glm::dvec3>& points, std::vector<std::array<std::uint32_t, 3>> triangles);

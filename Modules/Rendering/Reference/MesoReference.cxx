@@ -79,10 +79,9 @@ struct MesoReference::Implementation
   {
   }
 
-  Sample Look(double x, double y, double aspect, std::vector<double>& blocked,
-    MesoTraceWork& work) const;
-  void FindBlocked(
-    const Sample& sample, const glm::dvec3& place, std::vector<double>& blocked,
+  Sample Look(
+    double x, double y, double aspect, std::vector<double>& blocked, MesoTraceWork& work) const;
+  void FindBlocked(const Sample& sample, const glm::dvec3& place, std::vector<double>& blocked,
     MesoTraceWork& work) const;
   void Fill(const Sample& sample, const std::vector<double>& blocked, float* values) const;
 };
@@ -155,10 +154,9 @@ void MesoReference::Implementation::FindBlocked(const Sample& sample, const glm:
     ray.Origin = start;
     ray.Direction = this->Lights[i].Towards(start, distance);
     ray.TMax = distance;
-    blocked[i] = this->Tracer->Blocked(
-                   ray, sample.At.Object, !this->Lights[i].CastsBetweenObjects, work)
-      ? 1.
-      : 0.;
+    blocked[i] =
+      this->Tracer->Blocked(ray, sample.At.Object, !this->Lights[i].CastsBetweenObjects, work) ? 1.
+                                                                                               : 0.;
   }
 }
 
@@ -258,8 +256,8 @@ MesoReferenceResult MesoReference::Render(
     glm::dvec3 color = samples == 1 ? centre.Color : glm::dvec3(0.);
     for (int sample = 1; sample <= samples && samples > 1; ++sample)
     {
-      color +=
-        look(RadicalInverse(sample, 2) - 0.5, RadicalInverse(sample, 3) - 0.5).Color / double(samples);
+      color += look(RadicalInverse(sample, 2) - 0.5, RadicalInverse(sample, 3) - 0.5).Color /
+        double(samples);
     }
     for (int k = 0; k < 3; ++k)
     {

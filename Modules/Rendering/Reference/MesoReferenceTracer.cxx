@@ -71,8 +71,8 @@ public:
     ++this->Work.Rays;
   }
 
-  int Only = -1;  ///< the one surface that counts, or all
-  int From = -1;  ///< the surface whose base, drawn from behind, does not count
+  int Only = -1; ///< the one surface that counts, or all
+  int From = -1; ///< the surface whose base, drawn from behind, does not count
   bool Any = false;
   bool Found = false;
   MesoReferenceHit Best;
@@ -128,8 +128,7 @@ private:
     const glm::dmat4& toObject = surface.WorldToObject();
     const glm::dvec3 origin = glm::dvec3(toObject * glm::dvec4(this->Origin, 1.));
     const glm::dvec3 direction = glm::dmat3(toObject) * this->Direction;
-    this->Shift =
-      glm::dot(surface.Centre() - origin, direction) / glm::dot(direction, direction);
+    this->Shift = glm::dot(surface.Centre() - origin, direction) / glm::dot(direction, direction);
     this->Solver = MesoPatchSolver(origin + this->Shift * direction, direction,
       this->TMin - this->Shift, this->TMax - this->Shift);
   }
@@ -152,8 +151,8 @@ private:
     }
     // Up to and with the best so far: of hits at the same t the one of the lowest number counts,
     // whatever the order of asking.
-    this->Solver.SetTMax(std::nextafter(
-      this->TMax - this->Shift, std::numeric_limits<double>::infinity()));
+    this->Solver.SetTMax(
+      std::nextafter(this->TMax - this->Shift, std::numeric_limits<double>::infinity()));
     MesoPatchHit hit;
     const MesoSolverWork before = this->Solver.Work();
     const bool found = this->Solver.FirstHit(patch, over, facing, this->Any, hit);
@@ -208,8 +207,8 @@ MesoReferenceTracer::MesoReferenceTracer(
 {
   for (const auto& surface : surfaces)
   {
-    this->Patches.AddPrimitives(surface->NumberOfPatches(),
-      [&](std::size_t patch) { return surface->BoundsOf(patch); });
+    this->Patches.AddPrimitives(
+      surface->NumberOfPatches(), [&](std::size_t patch) { return surface->BoundsOf(patch); });
     this->AnyTwoSided = this->AnyTwoSided || (surface->IsTwoSided() && surface->IsDisplaced());
   }
   this->Patches.Commit();
@@ -245,8 +244,8 @@ void MesoReferenceTracer::Dice(double facetsPerTexel)
       this->Facets += static_cast<std::size_t>(std::min(cuts * cuts, 1e12));
       if (this->Facets > MostFacets)
       {
-        throw MesoInputError("the diced surface would have more than " +
-          std::to_string(MostFacets) + " facets");
+        throw MesoInputError(
+          "the diced surface would have more than " + std::to_string(MostFacets) + " facets");
       }
       dicing.Cuts.push_back(static_cast<std::uint32_t>(cuts));
       dicing.FirstFacet.push_back(
@@ -356,8 +355,7 @@ bool MesoReferenceTracer::Trace(const Ray& ray, MesoReferenceHit& hit, MesoTrace
   return query.Found;
 }
 
-bool MesoReferenceTracer::Blocked(
-  const Ray& ray, int from, bool alone, MesoTraceWork& work) const
+bool MesoReferenceTracer::Blocked(const Ray& ray, int from, bool alone, MesoTraceWork& work) const
 {
   Query query(*this, ray, Query::Kind::Surface, work);
   query.From = from;
