@@ -71,9 +71,9 @@ public:
     ++this->Work.Rays;
   }
 
-  int Only = -1; ///< the one surface that counts, or all
-  int From = -1; ///< the surface whose base, drawn from behind, does not count
-  bool Any = false;
+  int Only = -1;    ///< the one surface that counts, or all
+  int From = -1;    ///< the surface whose base, drawn from behind, does not count
+  bool Any = false; ///< a shadow's ray: the first thing found ends it, whichever side it shows
   bool Found = false;
   MesoReferenceHit Best;
 
@@ -100,22 +100,21 @@ public:
           case Kind::Surface:
             break;
         }
-        if (surface.IsDisplaced())
-        {
-          this->Solve(geometry, primitive, patch, over, surface.Front());
-          this->SolveBack(geometry, primitive, patch);
-        }
-        else
-        {
-          this->Solve(geometry, primitive, patch, over,
-            surface.IsTwoSided() ? MesoPatchSolver::Facing::Both : surface.Front());
-        }
+        this->Solve(geometry, primitive, patch, over,
+          this->HitsBacks(surface) ? MesoPatchSolver::Facing::Both : surface.Front());
+        this->SolveBack(geometry, primitive, patch);
       });
   }
 
   bool TestTriangle(int geometry, unsigned int primitive, double, double, double) override;
 
 private:
+  /// Whether the surface's backs are hit, beside its fronts.
+  bool HitsBacks(const MesoReferenceSurface& surface) const
+  {
+    return this->Any || (surface.IsTwoSided() && !surface.IsDisplaced());
+  }
+
   /// Bring the ray to a surface's own space, with its start near by, where numbers are small.
   void Enter(int geometry)
   {
@@ -311,7 +310,7 @@ bool MesoReferenceTracer::Query::TestTriangle(
   const glm::dvec3 normal = glm::cross(a, b);
   const double towards = glm::dot(normal, this->Direction);
   const bool front = towards < 0.; // world space: the winding is the mesh's own
-  if (towards == 0. || !(front || (surface.IsTwoSided() && !surface.IsDisplaced())))
+  if (towards == 0. || !(front || this->HitsBacks(surface)))
   {
     return false;
   }

@@ -10,8 +10,8 @@
  * texel as asked for, whose corners lie on the true surface, and Embree intersects those; t is then
  * found again in double. Which facets face away is told by their own winding.
  *
- * Back faces are passed through. A `two_sided` surface is hit from behind as well: one without a
- * map itself, a displaced one as its plain base.
+ * Back faces are passed through by the eye's rays. A `two_sided` surface is hit from behind as well:
+ * one without a map itself, a displaced one as its plain base. Light is stopped by either side.
  */
 
 #include "MesoRayScene.h"
