@@ -177,3 +177,75 @@ TEST_P(MissedHits, OfGrazingRays)
 INSTANTIATE_TEST_SUITE_P(Maps, MissedHits,
   testing::Values("spikes", "slots", "checkerboard", "noise", "flat"),
   [](const testing::TestParamInfo<const char*>& info) { return std::string(info.param); });
+
+TEST(SolverHardCases, NormalsThatTurnAround)
+{
+  // Corners' normals more than 90 degrees apart, and one of length 0: no bounds of N hold over the
+  // whole triangle. Every hit is still on the sheet and on the ray, and there is an end.
+  MarchedSheet sheet = MakeSheet("noise", 0., 0., false, MesoWrap::Repeat);
+  sheet.Normals = { glm::dvec3(1., 0., 0.3), glm::dvec3(-1., 0.2, 0.3), glm::dvec3(0.) };
+  std::array<glm::dvec2, 3> places;
+  for (int k = 0; k < 3; ++k)
+  {
+    places[k] = sheet.Coordinates[k] * double(Texels) - 0.5;
+  }
+  const MesoTrianglePatch patch(sheet.Positions, sheet.Normals, places);
+  const MesoHeightPyramid map(Texels, Texels, MesoWrap::Repeat, MapOf("noise"));
+  MesoDisplacement over;
+  over.Map = &map;
+  over.Scale = 0.12;
+  RandomNumbers random(5);
+  int hits = 0;
+  std::uint64_t pieces = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const glm::dvec3 direction = random.Direction();
+    const glm::dvec3 target(random.In(0., 0.6), random.In(0., 0.6), random.In(-0.1, 0.1));
+    MesoPatchSolver solver(target - direction, direction, 0., 3.);
+    MesoPatchHit hit;
+    if (solver.FirstHit(patch, over, MesoPatchSolver::Facing::Front, false, hit))
+    {
+      ++hits;
+      MarchedSheet::Place at;
+      const glm::dvec3 weights = patch.Weights(hit.X, hit.Y);
+      at.Second = weights.y;
+      at.Third = weights.z;
+      at.G = sheet.SheetAt(at);
+      EXPECT_LT(glm::length(sheet.PointAt(at) - (target + (hit.T - 1.) * direction)), 1e-11);
+    }
+    pieces += solver.Work().Pieces;
+  }
+  EXPECT_GT(hits, 50);
+  EXPECT_LT(pieces, 500u * 5000u);
+}
+
+TEST(SolverHardCases, RaysWithinASheetEndSoon)
+{
+  // Along a flat sheet, in it: edge-on, so not a hit, and not a search without end.
+  const MarchedSheet sheet = MakeSheet("flat", 0., 0., false, MesoWrap::Repeat);
+  std::array<glm::dvec2, 3> places;
+  for (int k = 0; k < 3; ++k)
+  {
+    places[k] = sheet.Coordinates[k] * double(Texels) - 0.5;
+  }
+  const MesoTrianglePatch patch(sheet.Positions, sheet.Normals, places);
+  const MesoHeightPyramid map(Texels, Texels, MesoWrap::Repeat, MapOf("flat"));
+  MesoDisplacement over;
+  over.Map = &map;
+  over.Scale = 0.12;
+  for (double lean : { 0., 1e-14, 1e-9, -1e-9 })
+  {
+    for (const auto facing : { MesoPatchSolver::Facing::Front, MesoPatchSolver::Facing::Both })
+    {
+      const glm::dvec3 inside =
+        (sheet.Positions[0] + sheet.Positions[1] + sheet.Positions[2]) / 3. -
+        0.6 * 0.12 * sheet.Normals[0];
+      const glm::dvec3 direction =
+        glm::normalize(sheet.Positions[1] - sheet.Positions[0]) + lean * sheet.Normals[0];
+      MesoPatchSolver solver(inside - 2. * direction, direction, 0., 5.);
+      MesoPatchHit hit;
+      solver.FirstHit(patch, over, facing, false, hit);
+      EXPECT_LT(solver.Work().Pieces + solver.Work().Blocks, 100000u) << lean;
+    }
+  }
+}

@@ -224,3 +224,47 @@ TEST(ReferenceClosedForms, FarFromTheOriginAndInOtherUnits)
     }
   }
 }
+
+TEST(ReferenceClosedForms, ManyTiles)
+{
+  // 10^4 tiles of 64 texels: straight down, the relief at a place is the map's own there.
+  ReferenceWorld world(R"([{"mesh": {"shape": "plane", "size": [2, 2]},
+    "mesostructure": {"technique": "relief", "scale": 0.3, "tiles": [10000, 10000],
+                      "height_map": {"pattern": "smooth", "size": [64, 64]}}}])");
+  const MesoHeightPyramid& map = *world.Surfaces[0]->GetMap();
+  RandomNumbers random(7);
+  for (int i = 0; i < 500; ++i)
+  {
+    const double x = random.In(-0.99, 0.99);
+    const double y = random.In(-0.99, 0.99);
+    const double height = map.HeightAt(5000. * (x + 1.), 5000. * (y + 1.));
+    ASSERT_NEAR(world.T({ x, y, 2. }, { 0., 0., -1. }), 2. + (1. - height) * 0.3, 1e-9);
+  }
+}
+
+TEST(ReferenceClosedForms, NoRaySlipsBetweenPatches)
+{
+  // Rays through the inside of closed surfaces, aimed at corners, edges and texels' borders.
+  for (bool smooth : { false, true })
+  {
+    ReferenceWorld world(R"([{"mesh": {"shape": "sphere", "rings": 6, "sides": 8},
+      "mesostructure": {"technique": "relief", "scale": 0.1, "tiles": [4, 2],
+                        "height_map": {"pattern": "smooth", "size": [8, 8]}}}])",
+      smooth);
+    const MesoShape sphere("sphere");
+    for (int i = 0; i <= 64; ++i)
+    {
+      for (int j = 1; j < 24; ++j)
+      {
+        // Multiples of a quarter of an edge: 2 or 4 texels.
+        const auto at = sphere.At(i / 32., j / 24.).Position;
+        const glm::dvec3 p(at[0], at[1], at[2]);
+        for (const glm::dvec3& from : { 4. * p, glm::dvec3(4. * p.y, 4. * p.z, 4. * p.x) })
+        {
+          ASSERT_TRUE(std::isfinite(world.T(from, 0.3 * p - from)))
+            << (smooth ? "smooth " : "mesh ") << i << ", " << j;
+        }
+      }
+    }
+  }
+}

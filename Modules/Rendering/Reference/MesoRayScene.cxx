@@ -88,9 +88,12 @@ void FilterTriangle(const RTCFilterFunctionNArguments* arguments)
   const auto* geometry = static_cast<const Geometry*>(arguments->geometryUserPtr);
   const double t = context->TEntry +
     static_cast<double>(RTCRayN_tfar(arguments->ray, arguments->N, 0)) * context->PerT;
-  const bool taken =
-    context->Query->TestTriangle(geometry->Number, RTCHitN_primID(arguments->hit, arguments->N, 0),
-      t, RTCHitN_u(arguments->hit, arguments->N, 0), RTCHitN_v(arguments->hit, arguments->N, 0));
+  const glm::vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
+    RTCRayN_dir_y(arguments->ray, arguments->N, 0), RTCRayN_dir_z(arguments->ray, arguments->N, 0));
+  const glm::vec3 normal(RTCHitN_Ng_x(arguments->hit, arguments->N, 0),
+    RTCHitN_Ng_y(arguments->hit, arguments->N, 0), RTCHitN_Ng_z(arguments->hit, arguments->N, 0));
+  const bool taken = context->Query->TestTriangle(geometry->Number,
+    RTCHitN_primID(arguments->hit, arguments->N, 0), t, glm::dot(normal, direction) < 0.f);
   arguments->valid[0] = taken ? -1 : 0;
 }
 }

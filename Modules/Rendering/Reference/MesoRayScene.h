@@ -39,9 +39,9 @@ public:
 
   /// Look at a primitive, whose box the ray may meet.
   virtual void Test(int geometry, unsigned int primitive) = 0;
-  /// Look at a triangle that the ray meets at t (float), weights u, v of its second and third
-  /// corner. False: the ray passes through.
-  virtual bool TestTriangle(int geometry, unsigned int primitive, double t, double u, double v) = 0;
+  /// Look at a triangle that the ray meets at t, as exact as float is; `front`: on the side from which
+  /// its corners run counter-clockwise. False: the ray passes through.
+  virtual bool TestTriangle(int geometry, unsigned int primitive, double t, bool front) = 0;
 };
 
 class MESORENDERINGREFERENCE_EXPORT MesoRayScene

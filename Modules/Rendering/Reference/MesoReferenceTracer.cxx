@@ -106,7 +106,21 @@ public:
       });
   }
 
-  bool TestTriangle(int geometry, unsigned int primitive, double, double, double) override;
+  bool TestTriangle(int geometry, unsigned int primitive, double t, bool front) override
+  {
+    if ((this->Only >= 0 && geometry != this->Only) ||
+      !(front || this->HitsBacks(*this->Tracer.Surfaces[geometry])))
+    {
+      return false;
+    }
+    MesoReferenceHit next;
+    next.Object = geometry;
+    next.Patch = primitive; // the facet, as yet
+    next.T = t;
+    next.Behind = !front;
+    this->Take(next);
+    return true;
+  }
 
 private:
   /// Whether the surface's backs are hit, beside its fronts.
@@ -283,61 +297,48 @@ void MesoReferenceTracer::Dice(double facetsPerTexel)
   this->Diced->Commit();
 }
 
-bool MesoReferenceTracer::Query::TestTriangle(
-  int geometry, unsigned int primitive, double, double, double)
+void MesoReferenceTracer::FromFacet(const Ray& ray, MesoReferenceHit& hit) const
 {
-  const MesoReferenceSurface& surface = *this->Tracer.Surfaces[geometry];
-  if (this->Only >= 0 && geometry != this->Only)
-  {
-    return false;
-  }
-  const Dicing& dicing = this->Tracer.Dicings[geometry];
-  const auto after =
-    std::upper_bound(dicing.FirstFacet.begin(), dicing.FirstFacet.end(), primitive);
-  const auto triangle = static_cast<std::size_t>(after - dicing.FirstFacet.begin()) - 1;
-  const std::uint32_t cuts = dicing.Cuts[triangle];
-  const auto corners = FacetCorners(primitive - dicing.FirstFacet[triangle], cuts);
-  const std::array<glm::dvec2, 3> places = surface.PlacesOf(triangle);
+  const MesoReferenceSurface& surface = *this->Surfaces[hit.Object];
+  const Dicing& dicing = this->Dicings[hit.Object];
+  const std::uint32_t facet = hit.Patch;
+  const auto after = std::upper_bound(dicing.FirstFacet.begin(), dicing.FirstFacet.end(), facet);
+  hit.Patch = static_cast<unsigned int>(after - dicing.FirstFacet.begin()) - 1;
+  const std::uint32_t cuts = dicing.Cuts[hit.Patch];
+  const auto corners = FacetCorners(facet - dicing.FirstFacet[hit.Patch], cuts);
+  const std::array<glm::dvec2, 3> places = surface.PlacesOf(hit.Patch);
   glm::dvec3 points[3];
   glm::dvec2 at[3];
   for (int k = 0; k < 3; ++k)
   {
     at[k] = PlaceOf(places, corners[k], cuts);
-    points[k] = surface.PositionAt(triangle, at[k].x, at[k].y);
+    points[k] = surface.PositionAt(hit.Patch, at[k].x, at[k].y);
   }
   const glm::dvec3 a = points[1] - points[0];
   const glm::dvec3 b = points[2] - points[0];
   const glm::dvec3 normal = glm::cross(a, b);
-  const double towards = glm::dot(normal, this->Direction);
-  const bool front = towards < 0.; // world space: the winding is the mesh's own
-  if (towards == 0. || !(front || this->HitsBacks(surface)))
+  const double towards = glm::dot(normal, ray.Direction);
+  if (towards != 0.)
   {
-    return false;
+    hit.T = glm::dot(points[0] - ray.Origin, normal) / towards;
   }
-  MesoReferenceHit next;
-  next.T = glm::dot(points[0] - this->Origin, normal) / towards;
-  if (!(next.T > this->TMin && next.T <= this->TMax))
-  {
-    return false;
-  }
-  const glm::dvec3 from = this->Origin + next.T * this->Direction - points[0];
+  const glm::dvec3 from = ray.Origin + hit.T * ray.Direction - points[0];
   const double perArea = 1. / glm::dot(normal, normal);
   const double second = glm::dot(glm::cross(from, b), normal) * perArea;
   const double third = glm::dot(glm::cross(a, from), normal) * perArea;
   const glm::dvec2 place = (1. - second - third) * at[0] + second * at[1] + third * at[2];
-  next.Object = geometry;
-  next.Patch = static_cast<unsigned int>(triangle);
-  next.X = place.x;
-  next.Y = place.y;
-  next.Behind = !front;
-  this->Take(next);
-  return true;
+  hit.X = place.x;
+  hit.Y = place.y;
 }
 
 bool MesoReferenceTracer::Trace(const Ray& ray, MesoReferenceHit& hit, MesoTraceWork& work) const
 {
   Query query(*this, ray, Query::Kind::Surface, work);
   (this->Diced ? *this->Diced : this->Patches).Trace(query);
+  if (this->Diced && query.Found)
+  {
+    this->FromFacet(ray, query.Best);
+  }
   if (this->Diced && this->AnyTwoSided)
   {
     Ray rest = ray;

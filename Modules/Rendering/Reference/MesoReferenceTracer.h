@@ -69,6 +69,8 @@ private:
     std::vector<std::uint32_t> FirstFacet; ///< of each triangle, and of the end
   };
   void Dice(double facetsPerTexel);
+  /// A hit on a facet as one on the patch that it was cut from; t in double.
+  void FromFacet(const Ray& ray, MesoReferenceHit& hit) const;
 
   const std::vector<std::unique_ptr<MesoReferenceSurface>>& Surfaces;
   MesoRayScene Patches;
