@@ -268,3 +268,21 @@ TEST(ReferenceClosedForms, NoRaySlipsBetweenPatches)
     }
   }
 }
+
+TEST(ReferenceClosedForms, AtThePolesOfASphere)
+{
+  // All columns of the map meet at a pole, in a crown of different heights: a ray down the axis meets
+  // it somewhere on the crown, one beside it where its own column says; both end soon.
+  for (double off : { 0., 1e-12, 1e-9, 1e-6, 1e-3 })
+  {
+    ReferenceWorld world(R"([{"mesh": {"shape": "sphere", "rings": 6, "sides": 8},
+      "mesostructure": {"technique": "relief", "scale": 0.1, "tiles": [4, 2],
+                        "height_map": {"pattern": "noise", "size": [32, 32]}}}])",
+      true);
+    const double t = world.T({ off, 4., 0.3 * off }, { 0., -1., 0. });
+    EXPECT_GE(t, 3.) << off;
+    EXPECT_LE(t, 3.1) << off;
+    EXPECT_LT(world.Work.Solver.Pieces, 100000u) << off;
+    EXPECT_EQ(world.Work.Solver.Unresolved, 0u) << off;
+  }
+}

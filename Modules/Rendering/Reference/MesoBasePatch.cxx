@@ -39,7 +39,7 @@ bool MesoTrianglePatch::Spans(const std::array<glm::dvec2, 3>& places)
 }
 
 MesoTrianglePatch::MesoTrianglePatch(const std::array<glm::dvec3, 3>& positions,
-  const std::array<glm::dvec3, 3>& normals, const std::array<glm::dvec2, 3>& places)
+  const std::array<glm::dvec3, 3>& normals, const std::array<glm::dvec2, 3>& places, bool mirrored)
   : Start(places[0])
   , P0(positions[0])
   , M0(normals[0])
@@ -58,7 +58,7 @@ MesoTrianglePatch::MesoTrianglePatch(const std::array<glm::dvec3, 3>& positions,
   this->Py = along(positions, 1);
   this->Mx = along(normals, 0);
   this->My = along(normals, 1);
-  this->Sign = area > 0. ? 1. : -1.;
+  this->Sign = (area > 0.) != mirrored ? 1. : -1.;
   const auto x = std::minmax({ places[0].x, places[1].x, places[2].x });
   const auto y = std::minmax({ places[0].y, places[1].y, places[2].y });
   const double widen = EdgeTolerance * (x.second - x.first + y.second - y.first);

@@ -158,19 +158,6 @@ std::size_t MesoReferenceSurface::NumberOfPatches() const
   return this->Triangles.size();
 }
 
-MesoPatchSolver::Facing MesoReferenceSurface::Front() const
-{
-  // A mirrored mesh has had its winding turned; a closed form's front is where its normal points.
-  return this->Mirrored && !this->Shape ? MesoPatchSolver::Facing::Back
-                                        : MesoPatchSolver::Facing::Front;
-}
-
-MesoPatchSolver::Facing MesoReferenceSurface::Back() const
-{
-  return this->Front() == MesoPatchSolver::Facing::Front ? MesoPatchSolver::Facing::Back
-                                                         : MesoPatchSolver::Facing::Front;
-}
-
 std::array<glm::dvec2, 3> MesoReferenceSurface::PlacesOf(std::size_t triangle) const
 {
   std::array<glm::dvec2, 3> places = Barycentric;
@@ -203,7 +190,8 @@ MesoTrianglePatch MesoReferenceSurface::TrianglePatch(std::size_t number) const
     positions[k] = this->Points[this->Triangles[number][k]];
     normals[k] = this->Normals[this->Triangles[number][k]];
   }
-  return { positions, normals, this->PlacesOf(number) };
+  // The mesh of a mirrored node has had its winding turned.
+  return { positions, normals, this->PlacesOf(number), this->Mirrored };
 }
 
 MesoShapePatch MesoReferenceSurface::ShapePatch(std::size_t number) const

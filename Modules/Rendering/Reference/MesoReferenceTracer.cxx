@@ -92,7 +92,7 @@ public:
         switch (this->What)
         {
           case Kind::BaseFront:
-            this->Solve(geometry, primitive, patch, none, surface.Front());
+            this->Solve(geometry, primitive, patch, none, MesoPatchSolver::Facing::Front);
             return;
           case Kind::BaseBack:
             this->SolveBack(geometry, primitive, patch);
@@ -101,7 +101,8 @@ public:
             break;
         }
         this->Solve(geometry, primitive, patch, over,
-          this->HitsBacks(surface) ? MesoPatchSolver::Facing::Both : surface.Front());
+          this->HitsBacks(surface) ? MesoPatchSolver::Facing::Both
+                                   : MesoPatchSolver::Facing::Front);
         this->SolveBack(geometry, primitive, patch);
       });
   }
@@ -151,7 +152,8 @@ private:
     const MesoReferenceSurface& surface = *this->Tracer.Surfaces[geometry];
     if (surface.IsTwoSided() && surface.IsDisplaced() && geometry != this->From)
     {
-      this->Solve(geometry, primitive, patch, MesoDisplacement(), surface.Back(), true);
+      this->Solve(
+        geometry, primitive, patch, MesoDisplacement(), MesoPatchSolver::Facing::Back, true);
     }
   }
 
@@ -184,8 +186,7 @@ private:
       next.X = hit.X;
       next.Y = hit.Y;
       next.OnBase = onBase;
-      const auto side = hit.Front ? MesoPatchSolver::Facing::Front : MesoPatchSolver::Facing::Back;
-      next.Behind = side != this->Tracer.Surfaces[geometry]->Front();
+      next.Behind = !hit.Front;
       this->Take(next);
     }
   }
