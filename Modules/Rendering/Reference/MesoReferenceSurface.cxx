@@ -324,7 +324,8 @@ MesoReferencePoint MesoReferenceSurface::Describe(
     {
       const MesoBasePoint base = patch.At(hit.X, hit.Y);
       const bool mapped = over.Map && !hit.OnBase;
-      double height = hit.OnBase || !this->Displaced ? over.Reference : over.Height;
+      const bool displaced = this->Displaced && !hit.OnBase;
+      double height = displaced ? over.Height : over.Reference;
       glm::dvec2 slope(0.); // of the bilinear patch, per texel
       glm::dvec2 shadingSlope(0.);
       if (mapped)
@@ -374,8 +375,7 @@ MesoReferencePoint MesoReferenceSurface::Describe(
         result.Shading = -result.Shading;
       }
       result.MapCoord = this->MapCoordAt(patch, hit);
-      // Adding 0 turns -0 into 0.
-      result.Relief = std::min(std::max(over.Reference - height, 0.), 1.) + 0.;
+      result.Relief = displaced ? std::min(std::max(1. - height, 0.), 1.) : 0.; // rounding
       result.TexelSize = 1e-3 * this->Diagonal;
       if (over.Map)
       {
