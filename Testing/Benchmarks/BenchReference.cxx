@@ -55,8 +55,10 @@ void Measure(const char* title, const std::string& nodes, double depth, const gl
       const auto start = std::chrono::steady_clock::now();
       for (int i = 0; i < side * side; ++i)
       {
+        const int column = i % side;
+        const int row = i / side;
         const glm::dvec3 target(
-          reach * (2. * (i % side) / side - 1.), reach * (2. * (i / side) / side - 1.), 0.);
+          reach * (2. * column / side - 1.), reach * (2. * row / side - 1.), 0.);
         arm.Hits.push_back(arm.World->T(eye, target - eye));
       }
       const double seconds = SecondsSince(start);

@@ -1,7 +1,7 @@
 #ifndef MesoSceneBuilder_h
 #define MesoSceneBuilder_h
 
-#include "MesoExr.h"   // for MesoExrAttributes
+#include "MesoExr.h" // for MesoExrAttributes
 #include "MesoScene.h"
 #include "mesoRenderingMesostructureModule.h" // for export macro
 #include "vtkSmartPointer.h"

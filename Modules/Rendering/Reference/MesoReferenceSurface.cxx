@@ -200,8 +200,10 @@ MesoShapePatch MesoReferenceSurface::ShapePatch(std::size_t number) const
   const glm::dvec2 size = this->Map
     ? glm::dvec2(this->Map->X().Texels(), this->Map->Y().Texels()) * this->Tiles
     : this->Tiles; // texels, or tiles, on the whole shape
-  const double i = static_cast<double>(number % cuts[0]);
-  const double j = static_cast<double>(number / cuts[0]);
+  const std::size_t column = number % cuts[0];
+  const std::size_t row = number / cuts[0];
+  const auto i = static_cast<double>(column);
+  const auto j = static_cast<double>(row);
   return { *this->Shape,
     { size.x * i / cuts[0] - 0.5, size.x * (i + 1.) / cuts[0] - 0.5, size.y * j / cuts[1] - 0.5,
       size.y * (j + 1.) / cuts[1] - 0.5 },
