@@ -25,17 +25,16 @@ TYPED_TEST(OcclusionKernel, SeesTheWallThatIsHighEnough)
   const typename TestFixture::Vec2 start(Real(0.25), 0);
   const typename TestFixture::Vec2 rise(Real(0.5), 0);
   int fetches = 0;
-  EXPECT_EQ(
-    this->Wall(0.8f).occludedLinear(this->Wall(0.8f).straightPath(start, -rise, 1, 0), 64, fetches),
-    1);
+  const auto blocked = [&](float height, const typename TestFixture::Vec2& perHeight)
+  {
+    const auto wall = this->Wall(height);
+    return wall.occludedLinear(wall.straightPath(start, -perHeight, 1, 0), 64, fetches);
+  };
+  EXPECT_EQ(blocked(0.8f, rise), 1);
   EXPECT_LT(fetches, 64);
-  EXPECT_EQ(
-    this->Wall(0.4f).occludedLinear(this->Wall(0.4f).straightPath(start, -rise, 1, 0), 64, fetches),
-    0);
+  EXPECT_EQ(blocked(0.4f, rise), 0);
   EXPECT_EQ(fetches, 64);
-  EXPECT_EQ(
-    this->Wall(1.f).occludedLinear(this->Wall(1.f).straightPath(start, rise, 1, 0), 64, fetches),
-    0); // the other way
+  EXPECT_EQ(blocked(1.f, -rise), 0); // the other way
 }
 
 TYPED_TEST(OcclusionKernel, BlocksNothingOnFlatGround)
