@@ -93,6 +93,19 @@ TEST(DirectionLines, UmbilicsAndPlanesHaveNone)
     const auto mesh = WithCurvatures(SampleNamed(name, 1000, 0.2).Mesh);
     EXPECT_EQ(LinesOf(mesh)->GetNumberOfLines(), 0) << name;
   }
+  // A surface that turns by a hundred thousandth of a radian from end to end is a plane to the eye.
+  const CurvedMesh saddle = SampleNamed("saddle", 400, 0.);
+  for (const double bend : { 1e-3, 1e-6 })
+  {
+    vtkNew<vtkPolyData> mesh;
+    mesh->DeepCopy(saddle.Mesh);
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const MesoVector p = PositionOf(mesh, i);
+      mesh->GetPoints()->SetPoint(i, p[0], p[1], bend * p[2]);
+    }
+    EXPECT_EQ(LinesOf(WithCurvatures(mesh))->GetNumberOfLines() > 0, bend == 1e-3) << bend;
+  }
 }
 
 TEST(DirectionLines, PointsWithoutConfidenceHaveNone)
