@@ -1,5 +1,6 @@
 #include "MesoSceneSurface.h"
 
+#include "MesoColorMap.h"
 #include "MesoPattern.h"
 #include "MesoShape.h"
 
@@ -92,6 +93,51 @@ MesoSceneMap ReadMap(const MesoSceneValue& value)
   return map;
 }
 
+/// "NAME" or "NAME[component]".
+MesoSceneColorBy ReadColorBy(const MesoSceneValue& value)
+{
+  const std::string text = value.ToText();
+  MesoSceneColorBy colorBy;
+  colorBy.Array = text;
+  if (text.back() == ']')
+  {
+    constexpr std::size_t mostDigits = 4;
+    const std::size_t bracket = text.rfind('[');
+    const std::string digits =
+      bracket == std::string::npos ? "" : text.substr(bracket + 1, text.size() - bracket - 2);
+    if (bracket == 0 || digits.empty() || digits.size() > mostDigits ||
+      digits.find_first_not_of("0123456789") != std::string::npos)
+    {
+      value.Fail(
+        "must be the name of a point array, or NAME[i] with a component's number i from 0 on");
+    }
+    colorBy.Array = text.substr(0, bracket);
+    colorBy.Component = std::stoi(digits);
+  }
+  if (colorBy.IsHeight() && colorBy.Component)
+  {
+    value.Fail("height has no components");
+  }
+  return colorBy;
+}
+
+void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
+{
+  value.CheckKeys("lookup_table");
+  value.With("name",
+    [&](const MesoSceneValue& name)
+    { colorBy.LookupTable = ReadName(name, "lookup table", MesoColorMapNames(), {}); });
+  value.With("range",
+    [&](const MesoSceneValue& range)
+    {
+      colorBy.Range = range.ToNumbers<2>();
+      if (!((*colorBy.Range)[0] < (*colorBy.Range)[1]))
+      {
+        range.Fail("the first number must be less than the second");
+      }
+    });
+}
+
 MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique technique)
 {
   const MesoEffects provided = MesoEffectsOfTechnique(technique);
@@ -165,6 +211,17 @@ MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value)
     { material.Color = color.ToNumbers<3>(MesoSceneRanges::Fraction); });
   value.With(
     "color_map", [&](const MesoSceneValue& name) { material.ColorMap = name.ToFileName(); });
+  if (value.Has("color_by"))
+  {
+    value.Refuse({ "color_map" }, "there is a color_by already; only one of them gives the color");
+    material.ColorBy = ReadColorBy(value.At("color_by"));
+    value.With("lookup_table",
+      [&](const MesoSceneValue& table) { ReadLookupTable(table, *material.ColorBy); });
+  }
+  else
+  {
+    value.Refuse({ "lookup_table" }, "there is no color_by that it is of");
+  }
   fraction("ambient", material.Ambient);
   fraction("diffuse", material.Diffuse);
   fraction("specular", material.Specular);

@@ -73,6 +73,12 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
     }
     Before(fragment, "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl");
   }
+  if (this->HeightColored)
+  {
+    Before(fragment, declarations, "Common/HeightColorDec.glsl");
+    fragment.After("//VTK::Color::Impl", "Common/HeightColorImpl.glsl",
+      MesoShaderText("Common/HeightColorImpl.glsl"));
+  }
   if (this->WritesDepth)
   {
     Before(fragment, declarations, "Common/DepthDec.glsl");
