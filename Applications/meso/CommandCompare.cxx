@@ -105,12 +105,13 @@ MesoImageError CommandCompare::Compare() const
     const bool hasTest = std::filesystem::exists(testAOVs);
     if (!hasTruth || !hasTest)
     {
+      const MesoImageError error = MesoCompareRenderings(truth, test);
       if (hasTruth != hasTest)
       {
         std::cerr << "meso: warning: there is no " << (hasTruth ? testAOVs : truthAOVs)
                   << ", so that pictures alone are compared\n";
       }
-      return MesoCompareRenderings(truth, test);
+      return error;
     }
   }
   truth.AOVs = ReadAOVs(truthAOVs);

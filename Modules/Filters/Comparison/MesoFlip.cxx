@@ -102,7 +102,7 @@ double HyAB(const Color& a, const Color& b)
   return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
 
-/// Distance of colours to [0,1]: small ones take most of the range (Andersson2020, section 4.1.2).
+/// Distance of colours to [0,1]: small ones take most of the range.
 double ColorError(double distance)
 {
   constexpr double Exponent = 0.7;
@@ -168,7 +168,7 @@ struct SensitivityTerm
   double B;
 };
 
-/// A channel as the eye sees it: blurred by its contrast sensitivity (Andersson2020, table 1).
+/// A channel as the eye sees it: blurred by its contrast sensitivity.
 MesoPlane Blurred(
   const MesoPlane& plane, const std::vector<SensitivityTerm>& terms, double pixelsPerDegree)
 {

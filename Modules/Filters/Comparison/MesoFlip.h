@@ -5,11 +5,10 @@
  * @file MesoFlip.h
  * @brief FLIP: how large a difference between two pictures looks when they are flipped through.
  *
- * Andersson2020, for pictures of low dynamic range: colours are blurred as the eye blurs them at
- * the given distance (section 4.1.1), their distance is taken in a uniform colour space (HyAB in
- * Hunt-adjusted L*a*b*, section 4.1.2) and mapped to [0,1] (equation 5 and those around it), and
- * where edges or points differ (section 4.2) the error is raised: colour error to the power of
- * 1 - feature error (section 4.3).
+ * Andersson2020, for pictures of low dynamic range. The colour pipeline blurs colours as the eye blurs
+ * them at the given distance, takes their distance (HyAB) in Hunt-adjusted L*a*b* and maps it to [0,1].
+ * The feature pipeline measures how edges and points of the luminance differ. The error is that of
+ * colour to the power of 1 - that of features.
  *
  * The value is 0 where the surroundings are equal and at most 1; it does not change when the two
  * pictures change places. Outside the picture the nearest pixel stands.

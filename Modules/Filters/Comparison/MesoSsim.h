@@ -5,7 +5,7 @@
  * @file MesoSsim.h
  * @brief SSIM: how alike the structure of two pictures is around each pixel.
  *
- * Wang2004, equation 13, with its constants K1 = 0.01, K2 = 0.03 and its window, a Gaussian of
+ * WangZ2004, with its constants K1 = 0.01, K2 = 0.03 and its window, a Gaussian of
  * 1.5 pixels cut to 11x11. Values are luma: 0.2126 R + 0.7152 G + 0.0722 B of linear light, to which
  * stored values are decoded as sRGB; the range L is 1. At the picture's edge the part of the window
  * that lies inside counts.
