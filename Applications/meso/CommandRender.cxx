@@ -1,6 +1,7 @@
 #include "CommandRender.h"
 
 #include "MesoAtomicFile.h"
+#include "MesoSceneAttributes.h"
 #include "MesoSceneBuilder.h"
 #include "RenderResults.h"
 #include "vtkMesoAOVPass.h"
@@ -269,7 +270,9 @@ int CommandRender::Run()
 
   if (!this->Channels.empty())
   {
-    WriteAOVs(pass, ChannelsOfGroups(this->Channels, pass), builder, AOVFileName(this->Output));
+    const double aspect = double(this->Size[0]) / this->Size[1];
+    WriteAOVs(pass, ChannelsOfGroups(this->Channels, pass),
+      MesoAttributesOfScene(builder, renderer, aspect), AOVFileName(this->Output));
   }
   if (!this->StatsFile.empty())
   {

@@ -1,6 +1,5 @@
 #include "RenderResults.h"
 
-#include "MesoExr.h"
 #include "MesoFrameCost.h"
 #include "MesoSceneBuilder.h"
 #include "vtkActor.h"
@@ -62,6 +61,17 @@ nlohmann::json OneOrList(const std::set<std::string>& values)
 }
 }
 
+std::string PngOfImage(vtkImageData* image)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+}
+
 std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
   const std::function<void(double)>& progress)
 {
@@ -93,13 +103,7 @@ std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   {
     out[i] = static_cast<unsigned char>(std::lround(sum[i] / samples));
   }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+  return PngOfImage(image);
 }
 
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
@@ -151,21 +155,8 @@ std::vector<std::string> ChannelsOfGroups(
 }
 
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
-  const MesoSceneBuilder& builder, const std::string& fileName)
+  const MesoExrAttributes& attributes, const std::string& fileName)
 {
-  MesoExrAttributes attributes;
-  for (const auto& object : builder.GetObjects())
-  {
-    const std::string prefix = "meso." + std::to_string(object.Number) + ".";
-    attributes[prefix + "name"] = object.Name;
-    attributes[prefix + "scale"] = object.Options.Scale;
-    if (object.HeightMap)
-    {
-      const int* size = object.HeightMap->GetDimensions();
-      attributes[prefix + "map_width"] = static_cast<double>(size[0]);
-      attributes[prefix + "map_height"] = static_cast<double>(size[1]);
-    }
-  }
   MesoWriteExr(fileName, pass->GetWidth(), pass->GetHeight(), channels,
     pass->GetInterleaved(channels).data(), attributes);
 }

@@ -1,6 +1,8 @@
 #ifndef RenderResults_h
 #define RenderResults_h
 
+#include "MesoExr.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,6 +20,9 @@ class vtkRenderer;
  * Failures throw MesoInputError.
  */
 
+/// The bytes of a PNG file of an image of unsigned characters, row 0 = bottom.
+std::string PngOfImage(vtkImageData* image);
+
 /// Render `samples` times, each with the pixels' centres moved a little. Returns the mean as the
 /// bytes of a PNG file. `progress` is called with the part that is done.
 std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
@@ -33,7 +38,7 @@ std::vector<std::string> ChannelsOfGroups(
 
 /// Write an EXR file, beside its place first.
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
-  const MesoSceneBuilder& builder, const std::string& fileName);
+  const MesoExrAttributes& attributes, const std::string& fileName);
 
 /// Measure the figures of cost. Returns one JSON object.
 std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
