@@ -1,6 +1,7 @@
 // The contract between a technique and everything written once around it. All vectors are in view
 // coordinates (VC), whose unit is the world's; map coordinates are the mesh's uv times tiles.
 //   MESO_FRAME        the technique uses the tangent frame
+//   MESO_DISPLACED    the mesh itself is the detail
 //   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
 //   MESO_AOV          every pixel's hit is written out as numbers
 //   MESO_LIGHT_COUNT  number of lights that are on
@@ -35,6 +36,9 @@ in vec3 mesoPositionVCVSOutput;
 in vec2 mesoTCoordVSOutput;
 in vec3 mesoNormalVCVSOutput;
 uniform vec2 mesoTiles;
+#ifdef MESO_DISPLACED
+in float mesoReliefVSOutput;
+#endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput;
 in vec3 mesoPerTCoordUVSOutput;

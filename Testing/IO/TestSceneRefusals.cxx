@@ -107,10 +107,10 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
   EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
     "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
-    "plain, relief)");
+    "plain, relief, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
-    "relief? choices: plain, relief)");
+    "relief? choices: plain, relief, tessellated)");
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "certified"})"),
     "quality \"certified\" is not available yet (choices: draft, low, medium, high)"));
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "best"})"), "there is no quality \"best\""));

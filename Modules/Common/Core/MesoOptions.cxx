@@ -10,14 +10,14 @@ struct Entry
 };
 
 constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" },
-  { MesoTechnique::Relief, "relief" } };
+  { MesoTechnique::Relief, "relief" }, { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" } };
 constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap::Clamp, "clamp" },
   { MesoWrap::Mirror, "mirror" } };
 constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" },
   { MesoEffect::Occlusion, "occlusion" }, { MesoEffect::SelfShadow, "self_shadow" },
-  { MesoEffect::Depth, "depth" } };
+  { MesoEffect::Depth, "depth" }, { MesoEffect::Silhouette, "silhouette" } };
 
 template <typename T, std::size_t N>
 const char* NameOf(const Entry<T> (&table)[N], T value)
@@ -167,6 +167,22 @@ MesoSearchSteps MesoStepsOfQuality(MesoQuality quality)
   return { 64, 7 };
 }
 
+double MesoFacetsPerTexel(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+      return 0.25;
+    case MesoQuality::Low:
+      return 0.5;
+    case MesoQuality::Medium:
+      return 1.;
+    case MesoQuality::High:
+      return 2.;
+  }
+  return 1.;
+}
+
 MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
 {
   switch (technique)
@@ -176,6 +192,9 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::Relief:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth };
+    case MesoTechnique::Tessellated:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
+        MesoEffect::Silhouette };
   }
   return {};
 }

@@ -19,11 +19,12 @@
 
 enum class MesoTechnique
 {
-  Plain, ///< the base mesh, shaded
-  Relief ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
+  Plain,      ///< the base mesh, shaded
+  Relief,     ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
+  Tessellated ///< the mesh, diced and displaced: ordinary triangles
 };
 
-/// How finely a technique searches; see MesoSearchSteps().
+/// How finely a technique searches or dices; see MesoStepsOfQuality() and MesoFacetsPerTexel().
 enum class MesoQuality
 {
   Draft,
@@ -46,7 +47,8 @@ enum class MesoEffect : std::uint32_t
   Shading = 1u << 0,    ///< the fine normal is used
   Occlusion = 1u << 1,  ///< near detail hides far detail
   SelfShadow = 1u << 2, ///< detail shades detail, for each light
-  Depth = 1u << 3       ///< the depth buffer is that of the detail
+  Depth = 1u << 3,      ///< the depth buffer is that of the detail
+  Silhouette = 1u << 4, ///< the outline shows the detail
 };
 
 /// A set of effects.
@@ -99,6 +101,9 @@ MESOCOMMONCORE_EXPORT std::vector<std::string> MesoEffectNames();
 
 /// Steps of linear and binary search of a quality.
 MESOCOMMONCORE_EXPORT MesoSearchSteps MesoStepsOfQuality(MesoQuality quality);
+
+/// Facets along a texel's side, for techniques that dice: 1/4, 1/2, 1, 2.
+MESOCOMMONCORE_EXPORT double MesoFacetsPerTexel(MesoQuality quality);
 
 /// The effects that a technique can show.
 MESOCOMMONCORE_EXPORT MesoEffects MesoEffectsOfTechnique(MesoTechnique technique);

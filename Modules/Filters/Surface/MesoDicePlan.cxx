@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -11,31 +10,86 @@ namespace
 {
 constexpr double Forgiven = 1e-3; // of a segment
 
-// Edges beyond this are refused whatever the limit; squares of it still fit 64 bits.
+// Edges beyond this are refused whatever the limit; its square still fits 64 bits.
 constexpr double MostSegments = 1e9;
 
-/// Number of points of the inner part before its row: rows have size + 1, size, ... points.
-std::int64_t InnerBefore(std::int64_t size, std::int64_t row)
+/// Sum of floor((a i + b) / m) for 0 <= i < n; all are 0 or more, m more than 0.
+std::int64_t SumOfFloors(std::int64_t n, std::int64_t m, std::int64_t a, std::int64_t b)
 {
-  return row * (size + 1) - row * (row - 1) / 2;
+  std::int64_t sum = 0;
+  while (n > 0)
+  {
+    sum += n * (n - 1) / 2 * (a / m) + n * (b / m);
+    a %= m;
+    b %= m;
+    // What is left counts the lattice points below a line; turned about, the line is that of fewer.
+    const std::int64_t top = a * n + b;
+    n = top / m;
+    b = top % m;
+    std::swap(m, a);
+  }
+  return sum;
 }
 
-/// Number of triangles of a grid before its row: rows have 2 size - 1, 2 size - 3, ... triangles.
-std::int64_t TrianglesBefore(std::int64_t size, std::int64_t row)
+/// Number of points inside the triangle on the rows before row r.
+std::int64_t InsideBefore(const MesoDicePlan::Grid& grid, std::int64_t r)
 {
-  return row * (2 * size - row);
+  return r > 1 ? SumOfFloors(r - 1, grid.Rows, grid.Short, grid.Short - 1) : 0;
 }
 
-std::int64_t InnerPoint(const MesoDicePlan::Grid& grid, std::int64_t i, std::int64_t row)
+/// The first row with a point inside; it has one.
+std::int64_t FirstRowInside(const MesoDicePlan::Grid& grid)
 {
-  return grid.FirstPoint + InnerBefore(grid.Size - 3, row) + i;
+  return grid.Rows / grid.Short + 1;
 }
+
+std::int64_t InnerPoint(const MesoDicePlan::Grid& grid, std::int64_t row, std::int64_t place)
+{
+  return grid.FirstPoint + InsideBefore(grid, row) + place;
+}
+
+/// Segments between points that lie at (k + Offset) / Size along an edge or a row.
+struct Span
+{
+  std::int64_t Segments;
+  std::int64_t Offset;
+  std::int64_t Size;
+};
 
 std::int32_t* Write(std::int64_t a, std::int64_t b, std::int64_t c, std::int32_t* out)
 {
   *out++ = static_cast<std::int32_t>(a);
   *out++ = static_cast<std::int32_t>(b);
   *out++ = static_cast<std::int32_t>(c);
+  return out;
+}
+
+/// The triangles between two chains of points that run the same way, the second to the left of the
+/// first: a segment of either, and the point of the other that it has come to.
+template <typename Right, typename Left>
+std::int32_t* WriteLadder(
+  const Right& right, const Span& ofRight, const Left& left, const Span& ofLeft, std::int32_t* out)
+{
+  std::int64_t a = 0;
+  std::int64_t b = 0;
+  while (a < ofRight.Segments || b < ofLeft.Segments)
+  {
+    // The next step is the one whose middle comes first.
+    const bool stepRight = b == ofLeft.Segments ||
+      (a < ofRight.Segments &&
+        (2 * (a + ofRight.Offset) + 1) * ofLeft.Size <=
+          (2 * (b + ofLeft.Offset) + 1) * ofRight.Size);
+    if (stepRight)
+    {
+      out = Write(right(a), right(a + 1), left(b), out);
+      ++a;
+    }
+    else
+    {
+      out = Write(right(a), left(b + 1), left(b), out);
+      ++b;
+    }
+  }
   return out;
 }
 }
@@ -137,14 +191,11 @@ double MesoDicePlan::MakeGrids(const MesoTriangleMesh& mesh)
     }
     const std::array<std::int64_t, 3> n = { this->SegmentsOf(first), this->SegmentsOf(first + 1),
       this->SegmentsOf(first + 2) };
-    Grid grid = { first / 3, std::max({ n[0], n[1], n[2] }), n[0] == n[1] && n[1] == n[2], 0, 0,
-      0 };
-    grid.Size = grid.Uniform ? grid.Size : std::max<std::int64_t>(3, grid.Size);
-    this->Grids.push_back(grid);
-    const auto size = static_cast<double>(grid.Size);
-    triangles += grid.Uniform
-      ? size * size
-      : (size - 3.) * (size - 3.) + static_cast<double>(n[0] + n[1] + n[2]) + 3. * (size - 3.);
+    const std::int64_t shortest = std::min_element(n.begin(), n.end()) - n.begin();
+    const std::int64_t longest = *std::max_element(n.begin(), n.end());
+    this->Grids.push_back(
+      { first / 3, (shortest + 2) % 3, longest, n[shortest], n[shortest] == longest, 0, 0, 0 });
+    triangles += static_cast<double>(this->TrianglesOf(this->Grids.back()));
   }
   return triangles;
 }
@@ -171,16 +222,9 @@ void MesoDicePlan::Number(const MesoTriangleMesh& mesh)
     grid.FirstPoint = this->Points;
     grid.FirstTriangle = this->Triangles;
     grid.FirstItem = this->Items;
-    this->Items += grid.Size;
-    if (grid.Size >= 3)
-    {
-      this->Points += InnerBefore(grid.Size - 3, grid.Size - 2);
-    }
-    const std::int64_t inner = grid.Size - 3;
-    const std::int64_t corner = 3 * grid.Triangle;
-    this->Triangles += grid.Uniform ? grid.Size * grid.Size
-                                    : inner * inner + this->SegmentsOf(corner) +
-        this->SegmentsOf(corner + 1) + this->SegmentsOf(corner + 2) + 3 * inner;
+    this->Points += InsideBefore(grid, grid.Rows);
+    this->Triangles += this->TrianglesOf(grid);
+    this->Items += grid.Rows;
   }
 }
 
@@ -204,24 +248,6 @@ std::int64_t MesoDicePlan::OnHalfEdge(std::int64_t corner, std::int64_t segment)
   return this->PointOn(side, this->Backwards[corner] ? side.Segments - segment : segment);
 }
 
-std::int64_t MesoDicePlan::OnUniformGrid(const Grid& grid, std::int64_t i, std::int64_t j) const
-{
-  const std::int64_t corner = 3 * grid.Triangle;
-  if (j == 0)
-  {
-    return this->OnHalfEdge(corner, i);
-  }
-  if (i + j == grid.Size)
-  {
-    return this->OnHalfEdge(corner + 1, j);
-  }
-  if (i == 0)
-  {
-    return this->OnHalfEdge(corner + 2, grid.Size - j);
-  }
-  return InnerPoint(grid, i - 1, j - 1);
-}
-
 std::int64_t MesoDicePlan::GridOfItem(std::int64_t item) const
 {
   const auto next = std::upper_bound(this->Grids.begin(), this->Grids.end(), item,
@@ -229,72 +255,167 @@ std::int64_t MesoDicePlan::GridOfItem(std::int64_t item) const
   return next - this->Grids.begin() - 1;
 }
 
-std::int64_t MesoDicePlan::NumberOfInner(const Grid& grid, std::int64_t item)
+MesoDicePlan::Inner MesoDicePlan::InnerAt(const Grid& grid, std::int64_t row, std::int64_t place)
 {
-  return std::max<std::int64_t>(0, grid.Size - 2 - item);
+  const auto rows = static_cast<double>(grid.Rows);
+  const auto r = static_cast<double>(row);
+  const auto along = static_cast<double>(place + 1) / static_cast<double>(grid.Inside(row) + 1);
+  std::array<double, 3> weights;
+  weights[grid.Apex] = (rows - r) / rows;
+  weights[(grid.Apex + 1) % 3] = r / rows * (1. - along);
+  weights[(grid.Apex + 2) % 3] = r / rows * along;
+  return { InnerPoint(grid, row, place), weights[1], weights[2] };
 }
 
-MesoDicePlan::Inner MesoDicePlan::InnerAt(const Grid& grid, std::int64_t item, std::int64_t place)
+std::int64_t MesoDicePlan::TrianglesBefore(const Grid& grid, std::int64_t r)
 {
-  return { InnerPoint(grid, place, item), place + 1, item + 1 };
+  // Between rows q and q + 1: 2 q + 1; or their segments inside the triangle.
+  return grid.Uniform
+    ? r * r
+    : InsideBefore(grid, r) + InsideBefore(grid, r + 1) - 1 - 2 * (r - FirstRowInside(grid));
 }
 
-void MesoDicePlan::WriteTriangles(
-  const Grid& grid, std::int64_t item, std::int32_t* triangles) const
+std::int64_t MesoDicePlan::TrianglesOf(const Grid& grid) const
 {
-  std::int32_t* out = triangles + 3 * grid.FirstTriangle;
-  const std::int64_t inner = grid.Size - 3;
-  const std::int64_t size = grid.Uniform ? grid.Size : inner;
-  if (item < size)
+  if (grid.Uniform)
   {
-    const auto at = [&](std::int64_t i, std::int64_t j)
-    { return grid.Uniform ? this->OnUniformGrid(grid, i, j) : InnerPoint(grid, i, j); };
-    out += 3 * TrianglesBefore(size, item);
-    for (std::int64_t i = 0; i < size - item; ++i)
+    return grid.Rows * grid.Rows;
+  }
+  const std::int64_t corner = 3 * grid.Triangle;
+  const std::int64_t rim =
+    this->SegmentsOf(corner) + this->SegmentsOf(corner + 1) + this->SegmentsOf(corner + 2);
+  if (grid.Short == 1)
+  {
+    return rim - 2;
+  }
+  const std::int64_t last = grid.Rows - 1;
+  return TrianglesBefore(grid, last) + rim + grid.Inside(last) - 1 +
+    2 * (last - FirstRowInside(grid));
+}
+
+void MesoDicePlan::WriteTriangles(const Grid& grid, std::int64_t row, std::int32_t* triangles) const
+{
+  std::int32_t* const out = triangles + 3 * grid.FirstTriangle;
+  if (grid.Uniform)
+  {
+    this->WriteUniformRow(grid, row, out + 3 * TrianglesBefore(grid, row));
+    return;
+  }
+  if (grid.Short == 1)
+  {
+    if (row == 0)
     {
-      out = Write(at(i, item), at(i + 1, item), at(i, item + 1), out);
-      if (i + 1 < size - item)
-      {
-        out = Write(at(i + 1, item), at(i + 1, item + 1), at(i, item + 1), out);
-      }
+      this->WriteTip(grid, this->TipOf(grid), out);
     }
     return;
   }
-  out += 3 * inner * inner;
-  for (std::int64_t edge = 0; edge < item - inner; ++edge)
+  // The first row inside is the second or a later one, so rows 0 and 1 have time for two ladders.
+  const std::int64_t last = grid.Rows - 1;
+  const std::int64_t first = FirstRowInside(grid);
+  if (row == last || row < 2)
   {
-    out += 3 * (this->SegmentsOf(3 * grid.Triangle + edge) + inner);
+    this->WriteRim(grid, row == last ? 1 : 2 * row, out);
   }
-  this->WriteLadder(grid, item - inner, out);
+  else if (row >= first)
+  {
+    const std::int64_t ahead = InnerPoint(grid, row + 1, 0);
+    const std::int64_t behind = InnerPoint(grid, row, 0);
+    const std::int64_t aheadSize = grid.Inside(row + 1) + 1;
+    const std::int64_t behindSize = grid.Inside(row) + 1;
+    WriteLadder([ahead](std::int64_t k) { return ahead + k; }, { aheadSize - 2, 1, aheadSize },
+      [behind](std::int64_t k) { return behind + k; }, { behindSize - 2, 1, behindSize },
+      out + 3 * TrianglesBefore(grid, row));
+  }
 }
 
-void MesoDicePlan::WriteLadder(const Grid& grid, std::int64_t edge, std::int32_t* out) const
+void MesoDicePlan::WriteUniformRow(const Grid& grid, std::int64_t row, std::int32_t* out) const
 {
-  const std::int64_t corner = 3 * grid.Triangle + edge;
-  const std::int64_t segments = this->SegmentsOf(corner);
-  const std::int64_t inner = grid.Size - 3;
-  const auto within = [&](std::int64_t m)
+  const std::int64_t left = 3 * grid.Triangle + grid.Apex;
+  const std::int64_t base = MesoTriangleMesh::Next(left);
+  const std::int64_t right = MesoTriangleMesh::Next(base);
+  const auto pointsOf = [&](std::int64_t r)
   {
-    return edge == 0 ? InnerPoint(grid, m, 0)
-      : edge == 1    ? InnerPoint(grid, inner - m, m)
-                     : InnerPoint(grid, 0, inner - m);
+    const std::int64_t first = InnerPoint(grid, r, 0);
+    return [this, &grid, left, base, right, r, first](std::int64_t k)
+    {
+      return r == grid.Rows ? this->OnHalfEdge(base, k)
+        : k == 0            ? this->OnHalfEdge(left, r)
+        : k == r            ? this->OnHalfEdge(right, grid.Rows - r)
+                            : first + k - 1;
+    };
   };
-  std::int64_t a = 0; // on the edge
-  std::int64_t b = 0; // on the inner part, at (b + 3/2) / Size along the edge
-  while (a < segments || b < inner)
+  WriteLadder(pointsOf(row + 1), { row + 1, 0, row + 1 }, pointsOf(row),
+    { row, 0, std::max<std::int64_t>(1, row) }, out);
+}
+
+std::array<std::int64_t, 2> MesoDicePlan::TipOf(const Grid& grid) const
+{
+  const std::int64_t left = this->SegmentsOf(3 * grid.Triangle + grid.Apex);
+  const std::int64_t right = this->SegmentsOf(3 * grid.Triangle + (grid.Apex + 2) % 3);
+  if (grid.Short == 1)
   {
-    // The next step is that whose middle comes first.
-    const bool onEdge =
-      b == inner || (a < segments && (2 * a + 1) * grid.Size <= (2 * b + 4) * segments);
-    if (onEdge)
-    {
-      out = Write(this->OnHalfEdge(corner, a), this->OnHalfEdge(corner, a + 1), within(b), out);
-      ++a;
-    }
-    else
-    {
-      out = Write(this->OnHalfEdge(corner, a), within(b + 1), within(b), out);
-      ++b;
-    }
+    return { left, right };
   }
+  const std::int64_t first = FirstRowInside(grid);
+  const std::array<std::int64_t, 2> tip = { (first * left - 1) / grid.Rows,
+    (first * right - 1) / grid.Rows };
+  // An edge that has no point there lies with the apex on one line.
+  return tip[0] > 0 && tip[1] > 0 ? tip : std::array<std::int64_t, 2>{ 0, 0 };
+}
+
+/// The triangles between the apex and the tip's ends on both edges.
+std::int32_t* MesoDicePlan::WriteTip(
+  const Grid& grid, const std::array<std::int64_t, 2>& tip, std::int32_t* out) const
+{
+  const std::int64_t left = 3 * grid.Triangle + grid.Apex;
+  const std::int64_t right = 3 * grid.Triangle + (grid.Apex + 2) % 3;
+  const std::int64_t ofLeft = this->SegmentsOf(left);
+  const std::int64_t ofRight = this->SegmentsOf(right);
+  const auto onLeft = [&](std::int64_t k) { return this->OnHalfEdge(left, k + 1); };
+  const auto onRight = [&](std::int64_t k) { return this->OnHalfEdge(right, ofRight - k - 1); };
+  out = Write(this->OnHalfEdge(left, 0), onLeft(0), onRight(0), out);
+  return WriteLadder(onLeft, { tip[0] - 1, 1, ofLeft }, onRight, { tip[1] - 1, 1, ofRight }, out);
+}
+
+/// The ladder between an edge (0: that leaves the apex, and on from there) and the points inside;
+/// with that of edge 0 the tip.
+void MesoDicePlan::WriteRim(const Grid& grid, std::int64_t edge, std::int32_t* out) const
+{
+  const std::int64_t first = FirstRowInside(grid);
+  const std::int64_t last = grid.Rows - 1;
+  const std::int64_t corner = 3 * grid.Triangle + (grid.Apex + edge) % 3;
+  const std::int64_t segments = this->SegmentsOf(corner);
+  const auto onEdge = [&](std::int64_t k) { return this->OnHalfEdge(corner, k); };
+  const std::array<std::int64_t, 2> tip = this->TipOf(grid);
+  // The rows come first, then edge 0 with the tip, 2 and 1.
+  out += 3 * TrianglesBefore(grid, last);
+  if (edge == 0)
+  {
+    if (tip[0] > 0)
+    {
+      out = this->WriteTip(grid, tip, out);
+      const std::int64_t right = 3 * grid.Triangle + (grid.Apex + 2) % 3;
+      out = Write(onEdge(tip[0]), InnerPoint(grid, first, 0),
+        this->OnHalfEdge(right, this->SegmentsOf(right) - tip[1]), out);
+    }
+    WriteLadder([&](std::int64_t k) { return onEdge(tip[0] + k); },
+      { segments - tip[0], tip[0], segments },
+      [&](std::int64_t k) { return InnerPoint(grid, first + k, 0); },
+      { last - first, first, grid.Rows }, out);
+    return;
+  }
+  out += 3 * (this->SegmentsOf(3 * grid.Triangle + grid.Apex) + tip[1] + last - first);
+  if (edge == 2)
+  {
+    WriteLadder(
+      onEdge, { segments - tip[1], 0, segments },
+      [&](std::int64_t k) { return InnerPoint(grid, last - k, grid.Inside(last - k) - 1); },
+      { last - first, 1, grid.Rows }, out);
+    return;
+  }
+  out += 3 * (this->SegmentsOf(3 * grid.Triangle + (grid.Apex + 2) % 3) - tip[1] + last - first);
+  const std::int64_t begin = InnerPoint(grid, last, 0);
+  WriteLadder(
+    onEdge, { segments, 0, segments }, [begin](std::int64_t k) { return begin + k; },
+    { grid.Inside(last) - 1, 1, grid.Inside(last) + 1 }, out);
 }

@@ -11,10 +11,13 @@
  *     segments = max(1, ceil(facetsPerTexel * max(|ds|, |dt|)))
  *
  * with (ds, dt) the edge in texels. (A thousandth of a segment is forgiven, lest rounding add one.)
- * A triangle whose three edges have the same number N is cut into the N^2 triangles of the
- * barycentric grid. Any other has the inner part of the grid of N = max(3, its largest number): the
- * points with all three coordinates above 0, (N - 3)^2 triangles between them, and a ladder of
- * triangles from each side of that part to the points of the edge.
+ * A triangle is cut into rows between its shortest edge, of n segments, and the corner opposite: R of
+ * them, R being the segments of its longest edge. Row r, counted from the corner, has
+ * m = ceil(n r / R) segments, so that a triangle that is long in the map is not cut finely across.
+ * Where all three edges have the same number this is the barycentric grid of R^2 triangles. Else
+ * the points on edges need not lie on rows: then only points inside the triangle are on rows, and a
+ * ladder of triangles joins them to the points of each edge, and the edges to each other where rows
+ * are too short to have points inside.
  *
  * Points are numbered: those of the mesh that a triangle uses, in their order; those inside the
  * edges, side after side; those inside the triangles. A side is a pair of the mesh's points along an
@@ -22,8 +25,7 @@
  * their own. Triangles with two corners in one merged vertex have no inside and are left out: what
  * they would join lies on one edge already.
  *
- * Work comes in items, each of which fills in its own points and triangles: Items in all, those of
- * triangle t being the Grid(t).Size from Grid(t).FirstItem on.
+ * Work comes in items, each of which fills in its own points and triangles: a grid has Rows of them.
  */
 
 #include "MesoTriangleMesh.h"
@@ -34,15 +36,23 @@
 class MesoDicePlan
 {
 public:
-  /// A triangle of the mesh with its grid.
+  /// A triangle of the mesh with its rows.
   struct Grid
   {
     std::int64_t Triangle; ///< number in the mesh
-    std::int64_t Size;     ///< N
-    bool Uniform;          ///< all edges have N segments
+    std::int64_t Apex;     ///< corner opposite the shortest edge: 0, 1 or 2
+    std::int64_t Rows;     ///< R
+    std::int64_t Short;    ///< n
+    bool Uniform;          ///< all edges have R segments
     std::int64_t FirstPoint;
     std::int64_t FirstTriangle;
     std::int64_t FirstItem;
+
+    /// Number of points of row r, 0 to R - 1, that lie inside the triangle: m - 1.
+    std::int64_t Inside(std::int64_t r) const
+    {
+      return r > 0 ? (this->Short * r - 1) / this->Rows : 0;
+    }
   };
   /// The points of the mesh along an edge, and the corners (half-edges) that run there. Segments run
   /// from the end in the lesser merged vertex.
@@ -54,12 +64,12 @@ public:
     std::int64_t FirstHalfEdge;
     std::int64_t EndHalfEdge;
   };
-  /// A point of an inner part's row: its weights are (Size - I - J, I, J) / Size.
+  /// A point inside a triangle, with weights (1 - I - J, I, J) of its corners.
   struct Inner
   {
     std::int64_t Point;
-    std::int64_t I;
-    std::int64_t J;
+    double I;
+    double J;
   };
 
   /// `texels` are the points' map coordinates in texels. Throws std::invalid_argument, which names
@@ -84,11 +94,10 @@ public:
 
   /// Where the grid of an item stands in GetGrids().
   std::int64_t GridOfItem(std::int64_t item) const;
-  /// Number of points inside the triangle that an item of its grid (0 to Size - 1) fills in.
-  static std::int64_t NumberOfInner(const Grid& grid, std::int64_t item);
-  static Inner InnerAt(const Grid& grid, std::int64_t item, std::int64_t place);
+  /// The points that item `row` of a grid fills in: `place` is 0 to less than grid.Inside(row).
+  static Inner InnerAt(const Grid& grid, std::int64_t row, std::int64_t place);
   /// Writes the item's triangles (three point numbers each) into the list of all triangles.
-  void WriteTriangles(const Grid& grid, std::int64_t item, std::int32_t* triangles) const;
+  void WriteTriangles(const Grid& grid, std::int64_t row, std::int32_t* triangles) const;
 
 private:
   void FindSides(const MesoTriangleMesh& mesh, const std::vector<std::array<double, 2>>& texels,
@@ -100,8 +109,16 @@ private:
   std::int64_t SegmentsOf(std::int64_t corner) const;
   /// The point `segment` segments along a corner's half-edge, in its own direction.
   std::int64_t OnHalfEdge(std::int64_t corner, std::int64_t segment) const;
-  std::int64_t OnUniformGrid(const Grid& grid, std::int64_t i, std::int64_t j) const;
-  void WriteLadder(const Grid& grid, std::int64_t edge, std::int32_t* out) const;
+  /// Number of triangles of a grid, and of those of its rows before row r.
+  std::int64_t TrianglesOf(const Grid& grid) const;
+  static std::int64_t TrianglesBefore(const Grid& grid, std::int64_t r);
+  void WriteUniformRow(const Grid& grid, std::int64_t row, std::int32_t* out) const;
+  /// How many segments of the two edges at the apex end before the first point inside: there the
+  /// edges are joined to each other.
+  std::array<std::int64_t, 2> TipOf(const Grid& grid) const;
+  std::int32_t* WriteTip(
+    const Grid& grid, const std::array<std::int64_t, 2>& tip, std::int32_t* out) const;
+  void WriteRim(const Grid& grid, std::int64_t edge, std::int32_t* out) const;
 
   std::vector<Grid> Grids;
   std::vector<Side> Sides;

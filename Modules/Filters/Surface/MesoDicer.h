@@ -122,23 +122,19 @@ public:
     }
   }
 
-  /// Fills an item's points inside its triangle.
-  void FillInner(const MesoDicePlan::Grid& grid, std::int64_t item) const
+  /// Fills a row's points inside its triangle.
+  void FillRow(const MesoDicePlan::Grid& grid, std::int64_t row) const
   {
-    const std::int64_t points = MesoDicePlan::NumberOfInner(grid, item);
-    if (points == 0)
+    if (grid.Inside(row) == 0)
     {
       return;
     }
     const MesoDisplacement::Derivatives derivatives = this->Surface.DerivativesOf(grid.Triangle);
-    const auto size = static_cast<double>(grid.Size);
-    for (std::int64_t i = 0; i < points; ++i)
+    for (std::int64_t k = 0; k < grid.Inside(row); ++k)
     {
-      const MesoDicePlan::Inner inner = MesoDicePlan::InnerAt(grid, item, i);
+      const MesoDicePlan::Inner inner = MesoDicePlan::InnerAt(grid, row, k);
       Place place =
-        this->PlaceAt(this->Surface.Inside(grid.Triangle, static_cast<double>(inner.I) / size,
-                        static_cast<double>(inner.J) / size),
-          inner.Point);
+        this->PlaceAt(this->Surface.Inside(grid.Triangle, inner.I, inner.J), inner.Point);
       this->AddNormal(derivatives, 1., place);
       this->WriteOne(place, place);
     }

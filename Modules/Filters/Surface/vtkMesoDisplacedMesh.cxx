@@ -235,10 +235,10 @@ bool vtkMesoDisplacedMesh::Fill(const MesoDicePlan& plan, const MesoDisplacement
         std::int64_t grid = plan.GridOfItem(first);
         for (vtkIdType item = first; item < last; ++item)
         {
-          grid += item == grids[grid].FirstItem + grids[grid].Size ? 1 : 0;
-          const std::int64_t own = item - grids[grid].FirstItem;
-          dicer.FillInner(grids[grid], own);
-          plan.WriteTriangles(grids[grid], own, corners);
+          grid += item == grids[grid].FirstItem + grids[grid].Rows ? 1 : 0;
+          const std::int64_t row = item - grids[grid].FirstItem;
+          dicer.FillRow(grids[grid], row);
+          plan.WriteTriangles(grids[grid], row, corners);
         }
       });
   if (!done)

@@ -10,8 +10,8 @@ namespace
 const std::vector<std::string> LaterShapes = { "cube", "cone", "vase", "teapot", "undulating",
   "branch" };
 const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-object", "parallax",
-  "horizon", "displacement", "tessellated", "geometry-image", "relief-quadric",
-  "relief-quadric-exact", "vdm", "gdm", "slices", "shell-sdf" };
+  "horizon", "displacement", "geometry-image", "relief-quadric", "relief-quadric-exact", "vdm",
+  "gdm", "slices", "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "certified", "full" };
 
 /// A word of a list, for ToChoice.
@@ -219,19 +219,20 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       node.Map = ReadMap(map);
       node.Map->IsDepth = true;
     });
+  const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (!node.Map)
   {
     value.Refuse(
       { "range", "sample_spacing" }, "there is no height_map or depth_map that it is of");
-    if (options.Technique == MesoTechnique::Relief)
+    if (options.Technique != MesoTechnique::Plain)
     {
-      value.Fail("technique relief needs a height_map or a depth_map");
+      value.Fail(technique + " needs a height_map or a depth_map");
     }
     return;
   }
-  if (options.Technique == MesoTechnique::Relief && !value.Has("scale"))
+  if (options.Technique != MesoTechnique::Plain && !value.Has("scale"))
   {
-    value.Fail("technique relief needs scale, the depth of its deepest point in object units");
+    value.Fail(technique + " needs scale, the depth of its deepest point in object units");
   }
   value.With("range",
     [&](const MesoSceneValue& range)

@@ -204,6 +204,10 @@ void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool aov
 {
   if (!shape.Traces && !aov)
   {
+    for (const char* attribute : { "mesoTCoord", "mesoNormal", "mesoRelief" })
+    {
+      this->RemoveVertexAttributeMapping(attribute); // left by AOVs
+    }
     return;
   }
   vtkPointData* points = this->CurrentInput->GetPointData();
@@ -221,6 +225,10 @@ void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool aov
   };
   map("mesoTCoord", points->GetTCoords());
   map("mesoNormal", points->GetNormals());
+  if (shape.Displaced)
+  {
+    map("mesoRelief", points->GetArray("MesoRelief"));
+  }
   if (shape.UsesFrame)
   {
     map("mesoTangent", points->GetArray("MesoTangent"));
@@ -247,7 +255,7 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->WarnOnce("Clipping planes cut the base mesh, not the relief below it.");
   }
-  this->EffectsDrawn = !this->WhyPlain.empty() || !shape.Traces
+  this->EffectsDrawn = !this->WhyPlain.empty() || !(shape.Traces || shape.Displaced)
     ? MesoEffects()
     : (this->Options.Effects.Auto ? this->GetEffectsProvided() : this->Options.Effects.Named);
   this->MapAttributes(shape, InPass<vtkMesoAOVPass>(actor));
@@ -312,6 +320,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   if (build.Surface)
   {
     define("MESO_FRAME", shape.UsesFrame);
+    define("MESO_DISPLACED", shape.Displaced);
     defines.insert(defines.end(), shape.Defines.begin(), shape.Defines.end());
   }
   build.Definitions = MesoShaderAssembler::DefineLines(defines);
@@ -515,7 +524,7 @@ std::size_t vtkMesoPolyDataMapper::GetGPUBytes()
 {
   std::size_t bytes = this->GetTechnique()->GetGPUBytes();
   for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "mesoTCoord",
-         "mesoNormal", "mesoTangent", "mesoBitangent", "mesoTileScale" })
+         "mesoNormal", "mesoRelief", "mesoTangent", "mesoBitangent", "mesoTileScale" })
   {
     if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name))
     {
