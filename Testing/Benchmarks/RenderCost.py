@@ -14,7 +14,9 @@ import sys
 import tempfile
 
 # `plain` looks up no map, so its quality makes no difference.
-SETTINGS = [("plain", "medium")] + [("relief", q) for q in ("draft", "low", "medium", "high")]
+QUALITIES = ("draft", "low", "medium", "high")
+SETTINGS = [("plain", "medium")]
+SETTINGS += [(technique, q) for technique in ("relief", "tessellated") for q in QUALITIES]
 HEADER = ("scene", "technique", "quality", "GPU ms", "x plain", "frame ms", "fetches mean", "max")
 
 

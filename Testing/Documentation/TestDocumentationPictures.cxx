@@ -34,6 +34,8 @@ const Picture Pictures[] = {
   { "ReliefDraft", "Documentation/ReliefDraft.json", "400x300" },
   { "ReliefHigh", "Documentation/ReliefHigh.json", "400x300" },
   { "ReliefSilhouette", "Documentation/ReliefSilhouette.json", "400x300" },
+  { "TessellatedDraft", "Documentation/TessellatedDraft.json", "400x300" },
+  { "TessellatedTorus", "Documentation/TessellatedTorus.json", "400x300" },
   { "PatternBrick", "Documentation/PatternBrick.json", "320x240" },
   { "PatternNoise", "Documentation/PatternNoise.json", "320x240" },
   { "PatternSmooth", "Documentation/PatternSmooth.json", "320x240" },
