@@ -94,7 +94,7 @@ public:
   ///@}
 
   ///@{
-  /// More triangles are refused, 1 to 500 million. Default: 20 million, about 1.1 GB with points of
+  /// More triangles are refused, 1 to 500 million. Default: 20 million, about 0.7 GB with points of
   /// float.
   vtkSetClampMacro(MaximumNumberOfTriangles, vtkIdType, 1, 500000000);
   vtkGetMacro(MaximumNumberOfTriangles, vtkIdType);
