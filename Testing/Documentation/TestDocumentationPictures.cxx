@@ -40,6 +40,8 @@ const Picture Pictures[] = {
   { "ReliefQuadricSilhouette", "Documentation/ReliefQuadricSilhouette.json", "400x300" },
   { "ReliefQuadricTorus", "Documentation/ReliefQuadricTorus.json", "400x300" },
   { "ReliefSilhouette", "Documentation/ReliefSilhouette.json", "400x300" },
+  { "TessellatedDraft", "Documentation/TessellatedDraft.json", "400x300" },
+  { "TessellatedTorus", "Documentation/TessellatedTorus.json", "400x300" },
   { "PatternBrick", "Documentation/PatternBrick.json", "320x240" },
   { "PatternNoise", "Documentation/PatternNoise.json", "320x240" },
   { "PatternSmooth", "Documentation/PatternSmooth.json", "320x240" },
