@@ -76,6 +76,14 @@ TEST_F(FailedJob, UnknownKeyIsNamedWithItsPlace)
     { "scene.json", "nodes[0].mesostructure", "hieght_map" });
 }
 
+TEST_F(FailedJob, ColorByAnArrayThatIsNotThere)
+{
+  this->Expect(R"({"meso": 1, "nodes": [{"mesh": {"shape": "plane"},
+    "material": {"color_by": "temperature"}}]})",
+    { "scene.json: nodes[0].material.color_by: the mesh has no point array \"temperature\"",
+      "there are: MesoBitangent, MesoCurvature, " });
+}
+
 TEST_F(FailedJob, NoMesh)
 {
   this->Expect(R"({"meso": 1, "nodes": [{"mesh": "none.obj"}]})", { "none.obj" });
