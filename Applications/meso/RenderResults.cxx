@@ -1,6 +1,6 @@
 #include "RenderResults.h"
 
-#include "MesoExr.h"
+#include "CommandLine.h"
 #include "MesoFrameCost.h"
 #include "MesoSceneBuilder.h"
 #include "vtkActor.h"
@@ -11,7 +11,6 @@
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPolyDataMapper.h"
-#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -93,13 +92,7 @@ std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   {
     out[i] = static_cast<unsigned char>(std::lround(sum[i] / samples));
   }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+  return PictureBytes(image);
 }
 
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
@@ -132,40 +125,9 @@ void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   }
 }
 
-std::vector<std::string> ChannelsOfGroups(
-  const std::vector<std::string>& groups, const vtkMesoAOVPass* pass)
-{
-  std::vector<std::string> channels;
-  for (const std::string& channel : pass->GetChannelNames())
-  {
-    const std::string group =
-      channel == "texel_reads" ? "fetches" : channel.substr(0, channel.find('.'));
-    const bool wanted = std::any_of(groups.begin(), groups.end(),
-      [&](const std::string& name) { return name == "all" || name == group; });
-    if (wanted)
-    {
-      channels.push_back(channel);
-    }
-  }
-  return channels;
-}
-
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
-  const MesoSceneBuilder& builder, const std::string& fileName)
+  const MesoExrAttributes& attributes, const std::string& fileName)
 {
-  MesoExrAttributes attributes;
-  for (const auto& object : builder.GetObjects())
-  {
-    const std::string prefix = "meso." + std::to_string(object.Number) + ".";
-    attributes[prefix + "name"] = object.Name;
-    attributes[prefix + "scale"] = object.Options.Scale;
-    if (object.HeightMap)
-    {
-      const int* size = object.HeightMap->GetDimensions();
-      attributes[prefix + "map_width"] = static_cast<double>(size[0]);
-      attributes[prefix + "map_height"] = static_cast<double>(size[1]);
-    }
-  }
   MesoWriteExr(fileName, pass->GetWidth(), pass->GetHeight(), channels,
     pass->GetInterleaved(channels).data(), attributes);
 }

@@ -1,6 +1,8 @@
 #ifndef RenderResults_h
 #define RenderResults_h
 
+#include "MesoExr.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,13 +29,9 @@ std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   const MesoSceneBuilder& builder, vtkMesoAOVPass* pass);
 
-/// The channels that AOV groups ("depth", "texcoord", "all", ...) stand for.
-std::vector<std::string> ChannelsOfGroups(
-  const std::vector<std::string>& groups, const vtkMesoAOVPass* pass);
-
 /// Write an EXR file, beside its place first.
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
-  const MesoSceneBuilder& builder, const std::string& fileName);
+  const MesoExrAttributes& attributes, const std::string& fileName);
 
 /// Measure the figures of cost. Returns one JSON object.
 std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,

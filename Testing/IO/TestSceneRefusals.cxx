@@ -90,7 +90,7 @@ TEST(SceneRefusals, KnownButNotYetServed)
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
   EXPECT_EQ(OfScene(R"("clipping_planes": [])"), "s.json: clipping_planes: is not available yet");
   for (const char* key : { "relief_map", "volume", "tile_mesh", "baked", "reference", "search",
-         "quadric", "curved", "rank", "segments" })
+         "curved", "rank", "segments" })
   {
     EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
       std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
@@ -107,10 +107,14 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
   EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
     "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
-    "plain, relief)");
+    "plain, relief, relief-quadric)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
-    "relief? choices: plain, relief)");
+    "relief? choices: plain, relief, relief-quadric)");
+  EXPECT_EQ(OfRelief(R"(, "quadric": "full")"),
+    "s.json: nodes[0].mesostructure.quadric: technique relief has no quadric");
+  EXPECT_TRUE(Mentions(
+    OfNode(head + R"("technique": "relief-quadric", "quadric": "cubic"})"), "full, diagonal"));
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "certified"})"),
     "quality \"certified\" is not available yet (choices: draft, low, medium, high)"));
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "best"})"), "there is no quality \"best\""));

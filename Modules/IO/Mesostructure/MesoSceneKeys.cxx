@@ -31,9 +31,9 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "lookup_table", { "name", "range" }, {} },
     { "mesostructure",
       { "technique", "height_map", "depth_map", "range", "sample_spacing", "scale", "tiles", "wrap",
-        "quality", "effects" },
-      { "relief_map", "volume", "tile_mesh", "baked", "reference", "search", "quadric", "curved",
-        "rank", "segments" } },
+        "quality", "quadric", "effects" },
+      { "relief_map", "volume", "tile_mesh", "baked", "reference", "search", "curved", "rank",
+        "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
   {

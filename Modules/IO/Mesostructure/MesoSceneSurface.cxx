@@ -11,8 +11,8 @@ namespace
 const std::vector<std::string> LaterShapes = { "cube", "cone", "vase", "teapot", "undulating",
   "branch" };
 const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-object", "parallax",
-  "horizon", "displacement", "tessellated", "geometry-image", "relief-quadric",
-  "relief-quadric-exact", "vdm", "gdm", "slices", "shell-sdf" };
+  "horizon", "displacement", "tessellated", "geometry-image", "relief-quadric-exact", "vdm", "gdm",
+  "slices", "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "certified", "full" };
 
 /// A word of a list, for ToChoice.
@@ -246,10 +246,11 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       options.Technique = name.ToChoice<MesoTechnique>(
         "technique", &MesoTechniqueFromName, MesoTechniqueNames(), LaterTechniques);
     });
+  const std::string name = MesoName(options.Technique);
   value.With("quality",
-    [&](const MesoSceneValue& name)
+    [&](const MesoSceneValue& quality)
     {
-      options.Quality = name.ToChoice<MesoQuality>(
+      options.Quality = quality.ToChoice<MesoQuality>(
         "quality", &MesoQualityFromName, MesoQualityNames(), LaterQualities);
     });
   value.With("wrap",
@@ -261,6 +262,16 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("tiles",
     [&](const MesoSceneValue& tiles)
     { options.Tiles = tiles.ToNumbers<2>(MesoSceneRanges::Positive); });
+  value.With("quadric",
+    [&](const MesoSceneValue& kind)
+    {
+      if (options.Technique != MesoTechnique::ReliefQuadric)
+      {
+        kind.Fail("technique " + name + " has no quadric");
+      }
+      options.Quadric =
+        kind.ToChoice<MesoQuadricKind>("quadric", &MesoQuadricKindFromName, MesoQuadricKindNames());
+    });
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });
@@ -280,15 +291,16 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   {
     value.Refuse(
       { "range", "sample_spacing" }, "there is no height_map or depth_map that it is of");
-    if (options.Technique == MesoTechnique::Relief)
+    if (MesoUsesHeightMap(options.Technique))
     {
-      value.Fail("technique relief needs a height_map or a depth_map");
+      value.Fail("technique " + name + " needs a height_map or a depth_map");
     }
     return;
   }
-  if (options.Technique == MesoTechnique::Relief && !value.Has("scale"))
+  if (MesoUsesHeightMap(options.Technique) && !value.Has("scale"))
   {
-    value.Fail("technique relief needs scale, the depth of its deepest point in object units");
+    value.Fail(
+      "technique " + name + " needs scale, the depth of its deepest point in object units");
   }
   value.With("range",
     [&](const MesoSceneValue& range)

@@ -12,6 +12,7 @@
 #include "vtkMesoImageReader.h"
 #include "vtkMesoMeshReader.h"
 #include "vtkMesoPatternSource.h"
+#include "vtkMesoQuadricFit.h"
 #include "vtkMesoReliefMapper.h"
 #include "vtkMesoShapeSource.h"
 #include "vtkMesoSurfaceFrames.h"
@@ -267,6 +268,22 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
   return frames->GetOutput();
 }
 
+vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
+  vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place)
+{
+  vtkNew<vtkMesoQuadricFit> fit;
+  fit->SetInputData(mesh);
+  if (kind == MesoQuadricKind::Diagonal)
+  {
+    fit->FullOff();
+    fit->SlopesOff();
+    fit->SetRings(1);
+    fit->NormalEquationsOn();
+  }
+  MesoRunAlgorithm(fit, place, this->Warnings);
+  return fit->GetOutput();
+}
+
 void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node,
   const std::string& place, const std::array<double, 16>& parentMatrix, vtkRenderer* renderer)
 {
@@ -291,8 +308,13 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       object.Mesh = MesoWithColorArray(
         object.Mesh, *node.Material.ColorBy, inScene + ".material.color_by", this->Warnings);
     }
-    if (node.Mesostructure.Technique == MesoTechnique::Relief)
+    if (MesoUsesHeightMap(node.Mesostructure.Technique))
     {
+      if (MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Curvature))
+      {
+        object.Mesh =
+          this->WithQuadrics(object.Mesh, node.Mesostructure.Quadric, inScene + ".mesh");
+      }
       if (node.Mesostructure.Scale == 0.)
       {
         this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");

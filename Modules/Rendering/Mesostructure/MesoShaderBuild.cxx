@@ -35,8 +35,13 @@ void Before(MesoShaderAssembler& shader, const char* hook, const std::string& ch
 
 void MesoShaderBuild::SpliceVertexShader(MesoShaderAssembler& vertex) const
 {
-  vertex.Before("//VTK::CustomUniforms::Dec", "definitions", this->Definitions);
-  Before(vertex, "//VTK::CustomUniforms::Dec", "Common/VertexDec.glsl");
+  const char* const declarations = "//VTK::CustomUniforms::Dec";
+  vertex.Before(declarations, "definitions", this->Definitions);
+  for (const std::string& chunk : this->VertexChunks)
+  {
+    Before(vertex, declarations, chunk);
+  }
+  Before(vertex, declarations, "Common/VertexDec.glsl");
   Before(vertex, "//VTK::CustomEnd::Impl", "Common/VertexImpl.glsl");
 }
 

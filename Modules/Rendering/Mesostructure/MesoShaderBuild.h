@@ -24,8 +24,9 @@ struct MesoShaderBuild
   bool HeightColored = false; ///< the colour is that of the height where the ray hit
   int LightComplexity = 0;    ///< VTK's: 0 none, 1 a headlight, 2 directional lights, 3 any
   int LightCount = 0;
-  std::vector<std::string> Chunks; ///< kernels and technique
-  std::string Definitions;         ///< `#define` lines; unequal ones ask for a new shader
+  std::vector<std::string> Chunks;       ///< kernels and technique
+  std::vector<std::string> VertexChunks; ///< kernels of the vertex stage
+  std::string Definitions;               ///< `#define` lines; unequal ones ask for a new shader
 
   void SpliceVertexShader(MesoShaderAssembler& vertex) const;
   void SpliceGeometryShader(MesoShaderAssembler& geometry) const;

@@ -116,7 +116,8 @@ void vtkMesoPolyDataMapper::SetOptions(const MesoMesostructureOptions& options)
   }
   if (!options.Effects.Auto)
   {
-    const MesoEffects missing = options.Effects.Named.Without(this->GetEffectsProvided());
+    const MesoEffects missing =
+      options.Effects.Named.Without(MesoEffectsOfTechnique(this->TechniqueOf(options)));
     if (!missing.Empty())
     {
       vtkErrorMacro("The technique does not provide the effect " << missing.Names().front());
@@ -151,6 +152,11 @@ void vtkMesoPolyDataMapper::SetTiles(double u, double v)
   MesoMesostructureOptions options = this->Options;
   options.Tiles = { u, v };
   this->SetOptions(options);
+}
+
+MesoTechnique vtkMesoPolyDataMapper::TechniqueOf(const MesoMesostructureOptions&) const
+{
+  return MesoTechnique::Plain;
 }
 
 void vtkMesoPolyDataMapper::SetHeightColors(vtkLookupTable* table)
@@ -203,17 +209,18 @@ std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor
   {
     missing += " named texture coordinates (2 components)";
   }
-  for (const char* name : { "MesoTangent", "MesoBitangent", "MesoTileScale" })
+  for (const auto& attribute : shape.Attributes)
   {
-    if (shape.UsesFrame && !points->GetArray(name))
+    if (!points->GetArray(attribute.second.c_str()))
     {
-      missing += std::string(" ") + name;
+      missing += " " + attribute.second;
     }
   }
   if (!missing.empty())
   {
     return "The input lacks" + missing +
-      ": the base mesh is drawn. vtkMesoSurfaceFrames makes frames from texture coordinates.";
+      ": the base mesh is drawn. vtkMesoSurfaceFrames makes frames from texture coordinates, "
+      "vtkMesoQuadricFit quadrics.";
   }
   return {};
 }
@@ -239,11 +246,9 @@ void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool num
   };
   map("mesoTCoord", points->GetTCoords());
   map("mesoNormal", points->GetNormals());
-  if (shape.UsesFrame)
+  for (const auto& attribute : shape.Attributes)
   {
-    map("mesoTangent", points->GetArray("MesoTangent"));
-    map("mesoBitangent", points->GetArray("MesoBitangent"));
-    map("mesoTileScale", points->GetArray("MesoTileScale"));
+    map(attribute.first.c_str(), points->GetArray(attribute.second.c_str()));
   }
 }
 
@@ -267,7 +272,8 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   }
   this->EffectsDrawn = !this->WhyPlain.empty() || !shape.Traces
     ? MesoEffects()
-    : (this->Options.Effects.Auto ? this->GetEffectsProvided() : this->Options.Effects.Named);
+    : (this->Options.Effects.Auto ? MesoEffectsOfTechnique(this->TechniqueOf(this->Options))
+                                  : this->Options.Effects.Named);
   const std::string uncolored =
     this->HeightColors->Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   this->HeightColorsReady = this->HeightColors->GetTable() && uncolored.empty();
@@ -315,6 +321,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
     (points->GetTCoords() || !shape.Traces);
   build.HeightColored = build.Surface && this->HeightColorsReady;
   build.Chunks = shape.Chunks;
+  build.VertexChunks = shape.VertexChunks;
   build.Traces = build.Surface && shape.Traces;
   build.WritesDepth = build.Traces && shape.WritesDepth;
   build.Textured =
@@ -555,10 +562,15 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
 std::size_t vtkMesoPolyDataMapper::GetGPUBytes()
 {
   std::size_t bytes = this->GetTechnique()->GetGPUBytes() + this->HeightColors->GetGPUBytes();
-  for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "mesoTCoord",
-         "mesoNormal", "mesoTangent", "mesoBitangent", "mesoTileScale" })
+  std::vector<std::string> buffers = { "vertexMC", "normalMC", "scalarColor", "tcoord",
+    "mesoTCoord", "mesoNormal" };
+  for (const auto& attribute : this->GetTechnique()->GetShape().Attributes)
   {
-    if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name))
+    buffers.push_back(attribute.first);
+  }
+  for (const std::string& name : buffers)
+  {
+    if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name.c_str()))
     {
       bytes += std::size_t(buffer->GetNumberOfTuples()) * buffer->GetStride();
     }

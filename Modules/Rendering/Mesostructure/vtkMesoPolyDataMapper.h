@@ -60,8 +60,8 @@ public:
   ///@{
   /**
    * How the detail is drawn. Scale, tiles: a new value is a uniform and costs nothing; quality,
-   * effects and wrap build the shader anew. The technique named in the options is not looked at:
-   * the mapper's class is the technique.
+   * effects and wrap build the shader anew. The mapper's class is the technique; where it is a
+   * family, the options name which of them.
    */
   void SetOptions(const MesoMesostructureOptions& options);
   const MesoMesostructureOptions& GetOptions() const { return this->Options; }
@@ -113,8 +113,8 @@ protected:
   virtual MesoTechniqueShader* GetTechnique();
   /// Called after the options have changed.
   virtual void OptionsChanged() {}
-  /// The effects that the technique can show.
-  virtual MesoEffects GetEffectsProvided() const { return {}; }
+  /// The technique that this class draws with some options.
+  virtual MesoTechnique TechniqueOf(const MesoMesostructureOptions& options) const;
 
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
