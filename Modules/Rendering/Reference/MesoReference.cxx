@@ -6,6 +6,7 @@
 #include "MesoSceneBuilder.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
+#include "vtkMesoPolyDataMapper.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -42,6 +43,24 @@ void CollectMeshes(const std::vector<MesoSceneNode>& nodes, std::vector<MesoScen
     meshes.push_back(node.Mesh.value_or(MesoSceneMesh()));
     CollectMeshes(node.Children, meshes);
   }
+}
+
+/// What of an object's looks the reference does not show; empty where it shows them all.
+std::string NotShown(const MesoSceneBuilder::Object& object)
+{
+  if (object.Actor->GetProperty()->GetEdgeVisibility())
+  {
+    return "edges";
+  }
+  if (object.Actor->GetProperty()->GetOpacity() < 1.)
+  {
+    return "translucent nodes";
+  }
+  if (object.Mapper->GetScalarVisibility() || object.Mapper->GetHeightColors())
+  {
+    return "colors by arrays or heights (color_by)";
+  }
+  return {};
 }
 
 double SecondsSince(std::chrono::steady_clock::time_point start)
@@ -81,10 +100,9 @@ struct MesoReference::Implementation
   {
   }
 
-  Sample Look(double x, double y, double aspect, std::vector<double>& blocked,
-    MesoTraceWork& work) const;
-  void FindBlocked(
-    const Sample& sample, const glm::dvec3& place, std::vector<double>& blocked,
+  Sample Look(
+    double x, double y, double aspect, std::vector<double>& blocked, MesoTraceWork& work) const;
+  void FindBlocked(const Sample& sample, const glm::dvec3& place, std::vector<double>& blocked,
     MesoTraceWork& work) const;
   void Fill(const Sample& sample, const std::vector<double>& blocked, float* values) const;
 };
@@ -107,12 +125,11 @@ MesoReference::MesoReference(const MesoScene& scene, Surface surface, double fac
   CollectMeshes(scene.Nodes, meshes);
   for (const MesoSceneBuilder::Object& object : builder.GetObjects())
   {
-    vtkProperty* property = object.Actor->GetProperty();
-    if (property->GetOpacity() < 1. || property->GetEdgeVisibility())
+    const std::string notShown = NotShown(object);
+    if (!notShown.empty())
     {
       throw MesoInputError("node " + std::to_string(object.Number) + " '" + object.Name +
-        "': the reference does not show " +
-        (property->GetEdgeVisibility() ? "edges" : "translucent nodes"));
+        "': the reference does not show " + notShown);
     }
     inside.Surfaces.push_back(std::make_unique<MesoReferenceSurface>(
       object, meshes[object.Number - 1], surface == Surface::Smooth));
@@ -156,10 +173,9 @@ void MesoReference::Implementation::FindBlocked(const Sample& sample, const glm:
     ray.Origin = start;
     ray.Direction = this->Lights[i].Towards(start, distance);
     ray.TMax = distance;
-    blocked[i] = this->Tracer->Blocked(
-                   ray, sample.At.Object, !this->Lights[i].CastsBetweenObjects, work)
-      ? 1.
-      : 0.;
+    blocked[i] =
+      this->Tracer->Blocked(ray, sample.At.Object, !this->Lights[i].CastsBetweenObjects, work) ? 1.
+                                                                                               : 0.;
   }
 }
 
@@ -259,8 +275,8 @@ MesoReferenceResult MesoReference::Render(
     glm::dvec3 color = samples == 1 ? centre.Color : glm::dvec3(0.);
     for (int sample = 1; sample <= samples && samples > 1; ++sample)
     {
-      color +=
-        look(RadicalInverse(sample, 2) - 0.5, RadicalInverse(sample, 3) - 0.5).Color / double(samples);
+      color += look(RadicalInverse(sample, 2) - 0.5, RadicalInverse(sample, 3) - 0.5).Color /
+        double(samples);
     }
     for (int k = 0; k < 3; ++k)
     {
