@@ -53,6 +53,8 @@ private:
   vtkSmartPointer<vtkImageData> MakeHeightMap(const MesoSceneMap& map, const std::string& place);
   vtkSmartPointer<vtkPolyData> MakeMesh(
     const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);
+  vtkSmartPointer<vtkPolyData> WithQuadrics(
+    vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
 
   std::vector<Object> Objects;
   std::vector<std::string> Warnings;
