@@ -1,5 +1,6 @@
 #include "CommandCompare.h"
 
+#include "CommandLine.h"
 #include "FiguresJson.h"
 #include "MesoAtomicFile.h"
 #include "MesoErrorPictures.h"
@@ -123,7 +124,7 @@ void CommandCompare::WritePictures(const MesoImageError& error) const
 {
   const auto write = [](const std::string& fileName, vtkImageData* image)
   {
-    const std::string bytes = PngOfImage(image);
+    const std::string bytes = PictureBytes(image);
     MesoAtomicFile::Write(fileName, bytes.data(), bytes.size());
   };
   if (!this->DifferenceFile.empty())

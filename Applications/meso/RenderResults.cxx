@@ -1,5 +1,6 @@
 #include "RenderResults.h"
 
+#include "CommandLine.h"
 #include "MesoFrameCost.h"
 #include "MesoSceneBuilder.h"
 #include "vtkActor.h"
@@ -10,7 +11,6 @@
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPolyDataMapper.h"
-#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -61,17 +61,6 @@ nlohmann::json OneOrList(const std::set<std::string>& values)
 }
 }
 
-std::string PngOfImage(vtkImageData* image)
-{
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
-}
-
 std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
   const std::function<void(double)>& progress)
 {
@@ -103,7 +92,7 @@ std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   {
     out[i] = static_cast<unsigned char>(std::lround(sum[i] / samples));
   }
-  return PngOfImage(image);
+  return PictureBytes(image);
 }
 
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
@@ -134,24 +123,6 @@ void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   {
     throw MesoInputError("the AOVs could not be rendered");
   }
-}
-
-std::vector<std::string> ChannelsOfGroups(
-  const std::vector<std::string>& groups, const vtkMesoAOVPass* pass)
-{
-  std::vector<std::string> channels;
-  for (const std::string& channel : pass->GetChannelNames())
-  {
-    const std::string group =
-      channel == "texel_reads" ? "fetches" : channel.substr(0, channel.find('.'));
-    const bool wanted = std::any_of(groups.begin(), groups.end(),
-      [&](const std::string& name) { return name == "all" || name == group; });
-    if (wanted)
-    {
-      channels.push_back(channel);
-    }
-  }
-  return channels;
 }
 
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,

@@ -20,9 +20,6 @@ class vtkRenderer;
  * Failures throw MesoInputError.
  */
 
-/// The bytes of a PNG file of an image of unsigned characters, row 0 = bottom.
-std::string PngOfImage(vtkImageData* image);
-
 /// Render `samples` times, each with the pixels' centres moved a little. Returns the mean as the
 /// bytes of a PNG file. `progress` is called with the part that is done.
 std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
@@ -31,10 +28,6 @@ std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
 /// Render once with one sample a pixel and keep every pixel's numbers in `pass`.
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   const MesoSceneBuilder& builder, vtkMesoAOVPass* pass);
-
-/// The channels that AOV groups ("depth", "texcoord", "all", ...) stand for.
-std::vector<std::string> ChannelsOfGroups(
-  const std::vector<std::string>& groups, const vtkMesoAOVPass* pass);
 
 /// Write an EXR file, beside its place first.
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,

@@ -2,6 +2,7 @@
 // Exit: 0 on success, 1 on a failed job, 2 on wrong usage.
 
 #include "CommandCompare.h"
+#include "CommandReference.h"
 #include "CommandRender.h"
 
 #include <CLI/CLI.hpp>
@@ -19,8 +20,10 @@ int main(int argc, char* argv[])
              "Each command has its own help: meso render --help");
   CommandCompare compare(app);
   CommandRender render(app);
+  CommandReference reference(app);
   const std::map<std::string, std::function<int()>> commands = {
     { "compare", [&] { return compare.Run(); } },
+    { "reference", [&] { return reference.Run(); } },
     { "render", [&] { return render.Run(); } },
   };
   try

@@ -280,7 +280,7 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
     fit->SetRings(1);
     fit->NormalEquationsOn();
   }
-  Run(fit, place, this->Warnings);
+  MesoRunAlgorithm(fit, place, this->Warnings);
   return fit->GetOutput();
 }
 
