@@ -79,8 +79,8 @@ void AddSizeOption(CLI::App& command, std::array<int, 2>& size)
     "Width and height in pixels (default: 800x600)");
 }
 
-void AddAOVOption(CLI::App& command, const std::vector<std::string>& groups,
-  std::vector<std::string>& channels)
+void AddAOVOption(
+  CLI::App& command, const std::vector<std::string>& groups, std::vector<std::string>& channels)
 {
   command.add_option_function<std::string>(
     "--aov",

@@ -30,8 +30,8 @@ std::vector<std::string> SplitAtCommas(const std::string& text);
 /// `-o,--output`, a .png; `--size WxH`; `--aov LIST` of these groups; `--samples N`; `--stats FILE`.
 void AddOutputOption(CLI::App& command, std::string& output);
 void AddSizeOption(CLI::App& command, std::array<int, 2>& size);
-void AddAOVOption(CLI::App& command, const std::vector<std::string>& groups,
-  std::vector<std::string>& channels);
+void AddAOVOption(
+  CLI::App& command, const std::vector<std::string>& groups, std::vector<std::string>& channels);
 void AddSamplesOption(CLI::App& command, int& samples);
 void AddStatsOption(CLI::App& command, std::string& file, const std::string& help);
 ///@}

@@ -26,8 +26,7 @@ MesoExrImage Chosen(const MesoExrImage& all, const std::vector<std::string>& cha
   std::vector<std::size_t> places;
   for (const std::string& channel : channels)
   {
-    places.push_back(
-      std::find(all.ChannelNames.begin(), all.ChannelNames.end(), channel) -
+    places.push_back(std::find(all.ChannelNames.begin(), all.ChannelNames.end(), channel) -
       all.ChannelNames.begin());
   }
   image.Data.reserve(pixels * places.size());
@@ -94,8 +93,8 @@ CommandReference::CommandReference(CLI::App& app)
 int CommandReference::Run()
 {
   const MesoScene scene = MesoReadScene(this->SceneFile);
-  CheckFileNames({ this->Output,
-    this->Channels.empty() ? std::string() : AOVFileName(this->Output), this->StatsFile });
+  CheckFileNames({ this->Output, this->Channels.empty() ? std::string() : AOVFileName(this->Output),
+    this->StatsFile });
   const MesoReference reference(scene, this->Surface);
   for (const std::string& warning : reference.GetWarnings())
   {

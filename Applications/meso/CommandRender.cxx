@@ -5,6 +5,7 @@
 #include "MesoSceneAttributes.h"
 #include "MesoSceneBuilder.h"
 #include "RenderResults.h"
+#include "vtkImageData.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPolyDataMapper.h"
@@ -108,8 +109,8 @@ int CommandRender::Run()
 {
   MesoScene scene = MesoReadScene(this->SceneFile);
   this->Override(scene.Nodes);
-  CheckFileNames({ this->Output,
-    this->Channels.empty() ? std::string() : AOVFileName(this->Output), this->StatsFile });
+  CheckFileNames({ this->Output, this->Channels.empty() ? std::string() : AOVFileName(this->Output),
+    this->StatsFile });
 
   vtkNew<vtkMesoEGLRenderWindow> window;
   window->SetMultiSamples(0);
@@ -134,7 +135,8 @@ int CommandRender::Run()
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   // All is rendered before anything is written, so that a job that fails leaves nothing.
-  const std::string picture = RenderPicture(window, renderer, this->Samples, ProgressBar());
+  const std::string picture =
+    PictureBytes(RenderPicture(window, renderer, this->Samples, ProgressBar()));
   for (const auto& object : builder.GetObjects())
   {
     if (!object.Mapper->GetWhyPlain().empty())
