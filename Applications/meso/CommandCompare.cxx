@@ -5,7 +5,6 @@
 #include "MesoAtomicFile.h"
 #include "MesoErrorPictures.h"
 #include "MesoScene.h" // for MesoInputError
-#include "RenderResults.h"
 #include "vtkImageData.h"
 
 #include <CLI/CLI.hpp>

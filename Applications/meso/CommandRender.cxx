@@ -5,6 +5,7 @@
 #include "MesoSceneAttributes.h"
 #include "MesoSceneBuilder.h"
 #include "RenderResults.h"
+#include "vtkImageData.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPolyDataMapper.h"
@@ -134,7 +135,8 @@ int CommandRender::Run()
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   // All is rendered before anything is written, so that a job that fails leaves nothing.
-  const std::string picture = RenderPicture(window, renderer, this->Samples, ProgressBar());
+  const std::string picture =
+    PictureBytes(RenderPicture(window, renderer, this->Samples, ProgressBar()));
   for (const auto& object : builder.GetObjects())
   {
     if (!object.Mapper->GetWhyPlain().empty())

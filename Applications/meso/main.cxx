@@ -1,6 +1,7 @@
 // meso: dispatches to one command a verb.
 // Exit: 0 on success, 1 on a failed job, 2 on wrong usage.
 
+#include "CommandBench.h"
 #include "CommandCompare.h"
 #include "CommandReference.h"
 #include "CommandRender.h"
@@ -18,10 +19,12 @@ int main(int argc, char* argv[])
   app.require_subcommand(0, 1); // so that a mistyped command is named: see below
   app.footer("Example: meso render scene.json -o scene.png\n"
              "Each command has its own help: meso render --help");
+  CommandBench bench(app);
   CommandCompare compare(app);
   CommandRender render(app);
   CommandReference reference(app);
   const std::map<std::string, std::function<int()>> commands = {
+    { "bench", [&] { return bench.Run(); } },
     { "compare", [&] { return compare.Run(); } },
     { "reference", [&] { return reference.Run(); } },
     { "render", [&] { return render.Run(); } },

@@ -13,7 +13,7 @@ namespace
 constexpr int Width = PairsOfPictures::Width;
 constexpr int Height = PairsOfPictures::Height;
 
-MesoRendering Rendering(const MesoPicture& picture, HandMadeAOVs aovs)
+MesoRendering Rendering(const MesoPicture& picture, const HandMadeAOVs& aovs)
 {
   return { "rendering", picture, MesoAOVsOfImage(aovs.Image) };
 }
