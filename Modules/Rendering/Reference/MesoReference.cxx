@@ -45,6 +45,21 @@ void CollectMeshes(const std::vector<MesoSceneNode>& nodes, std::vector<MesoScen
   }
 }
 
+/// All that detail does, whatever the nodes' techniques show of it; and their base meshes, where a
+/// technique would dice them.
+void ShowAllDetail(std::vector<MesoSceneNode>& nodes)
+{
+  for (MesoSceneNode& node : nodes)
+  {
+    if (MesoUsesHeightMap(node.Mesostructure.Technique))
+    {
+      node.Mesostructure.Technique = MesoTechnique::Relief;
+      node.Mesostructure.Effects = MesoEffectChoice();
+    }
+    ShowAllDetail(node.Children);
+  }
+}
+
 /// What of an object's looks the reference does not show; empty where it shows them all.
 std::string NotShown(const MesoSceneBuilder::Object& object)
 {
@@ -86,8 +101,7 @@ struct MesoReference::Implementation
   std::vector<MesoReferenceLight> Lights;
   std::vector<std::unique_ptr<MesoReferenceSurface>> Surfaces;
   std::vector<MesoReferenceMaterial> Materials;
-  std::vector<bool> ShadowsShown; ///< whether the technique shades itself
-  std::vector<int> Numbers;       ///< of the nodes
+  std::vector<int> Numbers; ///< of the nodes
   std::unique_ptr<MesoReferenceTracer> Tracer;
   MesoSceneBuilder Builder;
   vtkNew<vtkRenderer> Renderer; ///< never rendered: it holds lights and camera
@@ -114,7 +128,9 @@ MesoReference::MesoReference(const MesoScene& scene, Surface surface, double fac
   Implementation& inside = *this->Inside;
   // The builder reads files and resolves matrices; nothing is rendered, so no context is made.
   MesoSceneBuilder& builder = inside.Builder;
-  builder.Build(scene, inside.Renderer);
+  MesoScene truth = scene;
+  ShowAllDetail(truth.Nodes);
+  builder.Build(truth, inside.Renderer);
   inside.Renderer->UpdateLightsGeometryToFollowCamera();
   inside.Warnings = builder.GetWarnings();
   for (const MesoSceneLight& light : scene.Lights)
@@ -134,8 +150,6 @@ MesoReference::MesoReference(const MesoScene& scene, Surface surface, double fac
     inside.Surfaces.push_back(std::make_unique<MesoReferenceSurface>(
       object, meshes[object.Number - 1], surface == Surface::Smooth));
     inside.Materials.emplace_back(object.Actor, object.Options.Wrap);
-    inside.ShadowsShown.push_back(inside.Surfaces.back()->IsDisplaced() &&
-      MesoEffectsOn(object.Options).Has(MesoEffect::SelfShadow));
     inside.Numbers.push_back(object.Number);
     if (inside.Surfaces.back()->NumberOfDegenerateTriangles() > 0)
     {
@@ -201,9 +215,9 @@ MesoReference::Implementation::Sample MesoReference::Implementation::Look(
   // To the camera's position, as VTK takes it, in parallel projection as well.
   const glm::dvec3 eye = glm::normalize(this->Camera.Position - place);
   const std::vector<double> none(blocked.size(), 0.);
-  const glm::dvec3 color = this->Materials[sample.At.Object].Shade(this->Lights,
-    this->ShadowsShown[sample.At.Object] ? blocked : none, place, sample.Point.Shading, eye,
-    sample.Point.MapCoord);
+  const glm::dvec3 color =
+    this->Materials[sample.At.Object].Shade(this->Lights, surface.IsDisplaced() ? blocked : none,
+      place, sample.Point.Shading, eye, sample.Point.MapCoord);
   sample.Color = glm::clamp(color, 0., 1.);
 
   ray.TMax = sample.At.T + 1e-9 * std::abs(sample.At.T);
