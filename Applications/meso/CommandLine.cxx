@@ -19,20 +19,6 @@
 namespace
 {
 constexpr int LargestSize = 16384;
-
-std::array<int, 2> ParseSize(const std::string& text)
-{
-  int width = 0;
-  int height = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 ||
-    height < 1 || width > LargestSize || height > LargestSize)
-  {
-    throw CLI::ValidationError("--size",
-      "'" + text + "' is no size such as 800x600 (1 to " + std::to_string(LargestSize) + " each)");
-  }
-  return { width, height };
-}
 }
 
 std::string JoinNames(const std::vector<std::string>& names)
@@ -60,6 +46,20 @@ std::vector<std::string> SplitAtCommas(const std::string& text)
   }
 }
 
+std::array<int, 2> ParseSize(const char* option, const std::string& text)
+{
+  int width = 0;
+  int height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 ||
+    height < 1 || width > LargestSize || height > LargestSize)
+  {
+    throw CLI::ValidationError(option,
+      "'" + text + "' is no size such as 800x600 (1 to " + std::to_string(LargestSize) + " each)");
+  }
+  return { width, height };
+}
+
 void AddOutputOption(CLI::App& command, std::string& output)
 {
   command.add_option("-o,--output", output, "Picture to write, ending in .png")
@@ -75,7 +75,7 @@ void AddOutputOption(CLI::App& command, std::string& output)
 void AddSizeOption(CLI::App& command, std::array<int, 2>& size)
 {
   command.add_option_function<std::string>(
-    "--size", [&size](const std::string& text) { size = ParseSize(text); },
+    "--size", [&size](const std::string& text) { size = ParseSize("--size", text); },
     "Width and height in pixels (default: 800x600)");
 }
 

@@ -26,6 +26,9 @@ std::string JoinNames(const std::vector<std::string>& names);
 /// The parts of a list, empty ones as well, which no list of names takes.
 std::vector<std::string> SplitAtCommas(const std::string& text);
 
+/// Width and height of a text such as 800x600.
+std::array<int, 2> ParseSize(const char* option, const std::string& text);
+
 ///@{
 /// `-o,--output`, a .png; `--size WxH`; `--aov LIST` of these groups; `--samples N`; `--stats FILE`.
 void AddOutputOption(CLI::App& command, std::string& output);

@@ -2,8 +2,10 @@
 
 #include "CommandLine.h"
 #include "MesoAtomicFile.h"
+#include "MesoSceneAttributes.h"
 #include "MesoSceneBuilder.h"
 #include "RenderResults.h"
+#include "vtkImageData.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPolyDataMapper.h"
@@ -133,7 +135,8 @@ int CommandRender::Run()
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   // All is rendered before anything is written, so that a job that fails leaves nothing.
-  const std::string picture = RenderPicture(window, renderer, this->Samples, ProgressBar());
+  const std::string picture =
+    PictureBytes(RenderPicture(window, renderer, this->Samples, ProgressBar()));
   for (const auto& object : builder.GetObjects())
   {
     if (!object.Mapper->GetWhyPlain().empty())
@@ -156,8 +159,9 @@ int CommandRender::Run()
 
   if (!this->Channels.empty())
   {
-    WriteAOVs(pass, ChannelsOfGroups(this->Channels, pass->GetChannelNames()), builder,
-      AOVFileName(this->Output));
+    const double aspect = double(this->Size[0]) / this->Size[1];
+    WriteAOVs(pass, ChannelsOfGroups(this->Channels, pass->GetChannelNames()),
+      MesoAttributesOfScene(builder, renderer, aspect), AOVFileName(this->Output));
   }
   if (!this->StatsFile.empty())
   {

@@ -5,6 +5,10 @@ in vec3 mesoNormalVCVSOutput[];
 out vec3 mesoPositionVCGSOutput;
 out vec2 mesoTCoordGSOutput;
 out vec3 mesoNormalVCGSOutput;
+#ifdef MESO_DISPLACED
+in float mesoReliefVSOutput[];
+out float mesoReliefGSOutput;
+#endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput[];
 in vec3 mesoPerTCoordUVSOutput[];
@@ -12,4 +16,10 @@ in vec3 mesoPerTCoordVVSOutput[];
 out vec3 mesoNormalMCGSOutput;
 out vec3 mesoPerTCoordUGSOutput;
 out vec3 mesoPerTCoordVGSOutput;
+#endif
+#ifdef MESO_CURVATURE
+in vec3 mesoQuadricVSOutput[];
+in vec3 mesoMetricVSOutput[];
+out vec3 mesoQuadricGSOutput;
+out vec3 mesoMetricGSOutput;
 #endif

@@ -1,8 +1,15 @@
     mesoPositionVCGSOutput = mesoPositionVCVSOutput[i];
     mesoTCoordGSOutput = mesoTCoordVSOutput[i];
     mesoNormalVCGSOutput = mesoNormalVCVSOutput[i];
+#ifdef MESO_DISPLACED
+    mesoReliefGSOutput = mesoReliefVSOutput[i];
+#endif
 #ifdef MESO_FRAME
     mesoNormalMCGSOutput = mesoNormalMCVSOutput[i];
     mesoPerTCoordUGSOutput = mesoPerTCoordUVSOutput[i];
     mesoPerTCoordVGSOutput = mesoPerTCoordVVSOutput[i];
+#endif
+#ifdef MESO_CURVATURE
+    mesoQuadricGSOutput = mesoQuadricVSOutput[i];
+    mesoMetricGSOutput = mesoMetricVSOutput[i];
 #endif

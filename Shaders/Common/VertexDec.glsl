@@ -1,5 +1,7 @@
 // Vertex stage: what the fragments need, in view coordinates (VC).
-// MESO_FRAME: the technique uses the tangent frame of the vertex.
+//   MESO_FRAME      the technique uses the tangent frame of the vertex
+//   MESO_CURVATURE  and its quadric
+//   MESO_DISPLACED  the mesh itself is the detail
 in vec2 mesoTCoord;
 in vec3 mesoNormal;
 uniform mat4 mesoMCVCMatrix;
@@ -7,6 +9,10 @@ uniform mat3 mesoNormalMatrix;
 out vec3 mesoPositionVCVSOutput;
 out vec2 mesoTCoordVSOutput;
 out vec3 mesoNormalVCVSOutput;
+#ifdef MESO_DISPLACED
+in float mesoRelief; // depth in [0,1]
+out float mesoReliefVSOutput;
+#endif
 #ifdef MESO_FRAME
 in vec3 mesoTangent;
 in vec3 mesoBitangent;
@@ -15,4 +21,9 @@ uniform mat3 mesoModelToView; // linear part of model to view, without the buffe
 out vec3 mesoNormalMCVSOutput;
 out vec3 mesoPerTCoordUVSOutput; // dp/du and dp/dv in VC, per unit of the mesh's own coordinate
 out vec3 mesoPerTCoordVVSOutput;
+#endif
+#ifdef MESO_CURVATURE
+in vec3 mesoQuadric;
+out vec3 mesoQuadricVSOutput; // over the mesh's own coordinate, object units: Kernels/Quadric
+out vec3 mesoMetricVSOutput;  // |dp/du|^2, dp/du . dp/dv, |dp/dv|^2, object units
 #endif

@@ -1,8 +1,18 @@
   mesoPositionVCVSOutput = (mesoMCVCMatrix * vertexMC).xyz;
   mesoTCoordVSOutput = mesoTCoord;
   mesoNormalVCVSOutput = mesoNormalMatrix * mesoNormal;
+#ifdef MESO_DISPLACED
+  mesoReliefVSOutput = mesoRelief;
+#endif
 #ifdef MESO_FRAME
   mesoNormalMCVSOutput = mesoNormal;
   mesoPerTCoordUVSOutput = mesoModelToView * (mesoTileScale.x * mesoTangent);
   mesoPerTCoordVVSOutput = mesoModelToView * (mesoTileScale.y * mesoBitangent);
+#endif
+#ifdef MESO_CURVATURE
+  mesoQuadricVSOutput =
+    quadricOverTexture(mesoQuadric, mesoTangent, mesoBitangent, mesoNormal, mesoTileScale);
+  mesoMetricVSOutput = vec3(mesoTileScale.x * mesoTileScale.x,
+    mesoTileScale.x * mesoTileScale.y * dot(mesoTangent, mesoBitangent),
+    mesoTileScale.y * mesoTileScale.y);
 #endif

@@ -1,7 +1,6 @@
 #ifndef MesoSceneBuilder_h
 #define MesoSceneBuilder_h
 
-#include "MesoExr.h" // for MesoExrAttributes
 #include "MesoScene.h"
 #include "mesoRenderingMesostructureModule.h" // for export macro
 #include "vtkSmartPointer.h"
@@ -34,7 +33,7 @@ public:
     std::string Name;
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
-    vtkSmartPointer<vtkPolyData> Mesh;       ///< with its frames
+    vtkSmartPointer<vtkPolyData> Mesh;       ///< what is drawn: with its frames, or diced
     vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
     MesoMesostructureOptions Options;
   };
@@ -45,9 +44,6 @@ public:
   const std::vector<Object>& GetObjects() const { return this->Objects; }
   /// What is odd but no error, a line each, to be shown to the user.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
-  /// What stands beside AOVs in a file: of each object "meso.<number>." with name, scale (D) and,
-  /// where it has a map, map_width and map_height.
-  MesoExrAttributes GetAOVAttributes() const;
 
 private:
   void AddNode(const MesoScene& scene, const MesoSceneNode& node, const std::string& place,
@@ -57,6 +53,11 @@ private:
   vtkSmartPointer<vtkImageData> MakeHeightMap(const MesoSceneMap& map, const std::string& place);
   vtkSmartPointer<vtkPolyData> MakeMesh(
     const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);
+  vtkSmartPointer<vtkPolyData> WithQuadrics(
+    vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
+
+  /// The object's mesh as the technique tessellated draws it.
+  vtkSmartPointer<vtkPolyData> Dice(const Object& object, const std::string& place);
 
   std::vector<Object> Objects;
   std::vector<std::string> Warnings;

@@ -52,7 +52,7 @@ struct MesoReferenceResult
   /// Channels named as vtkMesoAOVPass names them, all of them, and `base`: 1 where the pixel's ray
   /// meets a front face of the hit object's base mesh at or before the hit. `fetches`,
   /// `texel_reads` and `iterations` are 0. One sample at each pixel's centre. With the attributes
-  /// of MesoSceneBuilder::GetAOVAttributes.
+  /// of MesoAttributesOfScene.
   MesoExrImage AOVs;
   /// RGB of 8 bit, row 0 at the bottom; null where rendering was aborted.
   vtkSmartPointer<vtkImageData> Picture;
