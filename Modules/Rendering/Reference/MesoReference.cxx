@@ -275,16 +275,16 @@ MesoReferenceResult MesoReference::Render(
   vtkSMPThreadLocal<MesoTraceWork> works;
   const auto tracePixel = [&](vtkIdType pixel, std::vector<double>& blocked, MesoTraceWork& work)
   {
-    const auto column = static_cast<double>(pixel % width);
-    const auto row = static_cast<double>(pixel / width); // from the bottom
+    const vtkIdType column = pixel % width;
+    const vtkIdType row = pixel / width; // from the bottom
     const auto look = [&](double offX, double offY)
     {
       std::fill(blocked.begin(), blocked.end(), 0.);
-      return inside.Look(2. * (column + 0.5 + offX) / width - 1.,
-        2. * (row + 0.5 + offY) / height - 1., aspect, blocked, work);
+      return inside.Look(2. * (static_cast<double>(column) + 0.5 + offX) / width - 1.,
+        2. * (static_cast<double>(row) + 0.5 + offY) / height - 1., aspect, blocked, work);
     };
     const Implementation::Sample centre = look(0., 0.);
-    const std::size_t fromTop = std::size_t(height - 1 - pixel / width) * width + pixel % width;
+    const std::size_t fromTop = std::size_t(height - 1 - row) * width + column;
     inside.Fill(centre, blocked, &aovs.Data[channels * fromTop]);
     glm::dvec3 color = samples == 1 ? centre.Color : glm::dvec3(0.);
     for (int sample = 1; sample <= samples && samples > 1; ++sample)
