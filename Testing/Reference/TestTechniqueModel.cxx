@@ -69,15 +69,15 @@ TEST_P(SolverError, IsSmallAndFallsWithTheSteps)
       const MesoGeometryError error = MesoCompareGeometry(model, DrawnAOVs(scene, Width, Height));
       if (quality == MesoQuality::High)
       {
-        // Outlines to a pixel here and there; hits but for what a step misses.
-        EXPECT_GT(error.CoverageIou, 0.998) << map;
+        // An outline's pixel here and there, and what a step passes over; else float's rounding.
+        EXPECT_GT(error.CoverageIou, 0.9995) << map;
         EXPECT_EQ(error.HolePixels, 0u) << map;
-        EXPECT_LT(error.Texcoord.P50, 1e-3) << map;
-        EXPECT_LT(error.Depth.P95, 1e-2) << map;
-        EXPECT_LT(error.Normal.P95, 1.5) << map;
-        // The shadow ray's 128 samples miss grazing crossings.
-        EXPECT_LT(error.ShadowCast, 0.02) << map;
-        EXPECT_LT(error.ShadowAttached, 0.02) << map;
+        EXPECT_LT(error.Texcoord.P50, 1e-4) << map;
+        EXPECT_LT(error.Depth.P95, 1e-4) << map;
+        EXPECT_LT(error.Normal.P95, 0.01) << map;
+        // Crossings between the shadow ray's 128 samples; facets edge-on to the light.
+        EXPECT_LT(error.ShadowCast, 0.002) << map;
+        EXPECT_LT(error.ShadowAttached, 0.01) << map;
       }
       EXPECT_GE(error.Texcoord.P99 * 1.01, before) << map << " " << MesoName(quality);
       before = error.Texcoord.P99;
