@@ -5,11 +5,17 @@
 #include "MesoBaseline.h"
 
 #include "MesoHeightTexture.h"
+#include "TemporaryFolder.h"
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoTessellatedMapper.h"
 
 #include "vtkPointData.h"
 #include "vtkTexture.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace
 {
@@ -128,6 +134,33 @@ TEST_F(Tessellated, OrdinaryFramesHoldNothingMore)
   EXPECT_GE(this->Mapper->GetGPUBytes(), before + 4 * points);
   this->Scene.Window->Render();
   EXPECT_EQ(this->Mapper->GetGPUBytes(), before);
+}
+
+TEST_F(Tessellated, OrdinaryShadersKnowNothingOfIt)
+{
+  const TemporaryFolder folder;
+  setenv("MESO_DUMP_SHADERS", folder.PathOf("").c_str(), 1);
+  const auto shadersThatKnow = [&]()
+  {
+    int all = 0;
+    int know = 0;
+    for (const auto& file : std::filesystem::directory_iterator(folder.PathOf("")))
+    {
+      std::ifstream stream(file.path());
+      std::stringstream text;
+      text << stream.rdbuf();
+      ++all;
+      know += text.str().find("mesoRelief") == std::string::npos ? 0 : 1;
+    }
+    EXPECT_GE(all, 2);
+    return know;
+  };
+  this->UseTorus();
+  this->Scene.Window->Render();
+  EXPECT_EQ(shadersThatKnow(), 0);
+  MesoCapture(this->Scene, this->Pass);
+  EXPECT_EQ(shadersThatKnow(), 2); // vertex and fragment stage
+  unsetenv("MESO_DUMP_SHADERS");
 }
 
 TEST_F(Tessellated, NumbersAreThoseOfTheClosedForm)
