@@ -9,7 +9,13 @@
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoTessellatedMapper.h"
 
+#include "vtkCameraPass.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 #include "vtkTexture.h"
 
 #include <cstdlib>
@@ -119,6 +125,45 @@ TEST_F(Tessellated, IsVTKsPictureOfTheSameGeometry)
   texture->InterpolateOn();
   this->Scene.Actor->SetTexture(texture);
   this->ExpectVTKsPicture("textured");
+}
+
+TEST_F(Tessellated, ShadowMapsAndClippingAreVTKs)
+{
+  this->UseTorus();
+  vtkNew<vtkLight> sun; // which is no headlight, and not behind the torus' hole
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(1., 4., 2.);
+  sun->SetFocalPoint(0., 0., 0.);
+  this->Scene.Renderer->RemoveAllLights();
+  this->Scene.Renderer->AddLight(sun);
+  const auto unshadowed = MesoGrabWindow(this->Scene.Window);
+  vtkNew<vtkShadowMapPass> shadows;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(shadows->GetShadowMapBakerPass());
+  passes->AddItem(shadows);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  this->Scene.Renderer->SetPass(camera);
+  this->ExpectVTKsPicture("shadow maps");
+  EXPECT_FALSE(MesoCompareImages(MesoGrabWindow(this->Scene.Window), unshadowed).Within);
+  camera->ReleaseGraphicsResources(this->Scene.Window);
+  this->Scene.Renderer->SetPass(nullptr);
+
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(1., 0.3, 0.);
+  vtkNew<vtkPolyDataMapper> theirs;
+  theirs->SetInputData(this->Mapper->GetInput());
+  theirs->AddClippingPlane(plane);
+  this->Mapper->AddClippingPlane(plane);
+  this->Scene.Actor->SetMapper(theirs);
+  const auto clipped = MesoGrabWindow(this->Scene.Window);
+  EXPECT_FALSE(MesoCompareImages(clipped, unshadowed).Within);
+  this->Scene.Actor->SetMapper(this->Mapper);
+  EXPECT_TRUE(
+    MesoCompareImages(MesoGrabWindow(this->Scene.Window), clipped, MesoImageLimits::Exact())
+      .Within);
 }
 
 TEST_F(Tessellated, OrdinaryFramesHoldNothingMore)
