@@ -28,9 +28,6 @@ private:
   /// Options of the command line take the place of what the scene says.
   void Override(std::vector<MesoSceneNode>& nodes) const;
 
-  /// Throws where a result could not be written, before time is spent on it.
-  void CheckFileNames() const;
-
   std::string SceneFile;
   std::string Output;
   std::array<int, 2> Size = { 800, 600 };

@@ -1,6 +1,5 @@
 #include "RenderResults.h"
 
-#include "MesoExr.h"
 #include "MesoFrameCost.h"
 #include "MesoSceneBuilder.h"
 #include "vtkActor.h"
@@ -11,7 +10,6 @@
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPolyDataMapper.h"
-#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -62,8 +60,8 @@ nlohmann::json OneOrList(const std::set<std::string>& values)
 }
 }
 
-std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, int samples,
-  const std::function<void(double)>& progress)
+vtkSmartPointer<vtkImageData> RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
+  int samples, const std::function<void(double)>& progress)
 {
   const int* size = window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -85,7 +83,7 @@ std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   }
   renderer->GetActiveCamera()->SetWindowCenter(0., 0.);
 
-  vtkNew<vtkImageData> image;
+  auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(size[0], size[1], 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
@@ -93,13 +91,7 @@ std::string RenderPicture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   {
     out[i] = static_cast<unsigned char>(std::lround(sum[i] / samples));
   }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(image);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
-    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+  return image;
 }
 
 void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
@@ -132,40 +124,34 @@ void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   }
 }
 
-std::vector<std::string> ChannelsOfGroups(
-  const std::vector<std::string>& groups, const vtkMesoAOVPass* pass)
+PixelCounts CountsOfChannel(const vtkMesoAOVPass* pass, const std::string& channel)
 {
-  std::vector<std::string> channels;
-  for (const std::string& channel : pass->GetChannelNames())
+  PixelCounts counts;
+  const std::vector<float> pixels = pass->GetInterleaved({ "coverage", channel });
+  for (std::size_t i = 0; i < pixels.size(); i += 2)
   {
-    const std::string group =
-      channel == "texel_reads" ? "fetches" : channel.substr(0, channel.find('.'));
-    const bool wanted = std::any_of(groups.begin(), groups.end(),
-      [&](const std::string& name) { return name == "all" || name == group; });
-    if (wanted)
-    {
-      channels.push_back(channel);
-    }
+    counts.Covered += pixels[i];
+    counts.Mean += pixels[i + 1];
+    counts.Maximum = std::max(counts.Maximum, static_cast<double>(pixels[i + 1]));
   }
-  return channels;
+  counts.Mean = counts.Covered > 0. ? counts.Mean / counts.Covered : 0.;
+  return counts;
+}
+
+SceneSize SizeOfScene(const MesoSceneBuilder& builder)
+{
+  SceneSize size;
+  for (const auto& object : builder.GetObjects())
+  {
+    size.GpuBytes += object.Mapper->GetGPUBytes();
+    size.Triangles += object.Mesh->GetNumberOfPolys();
+  }
+  return size;
 }
 
 void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& channels,
-  const MesoSceneBuilder& builder, const std::string& fileName)
+  const MesoExrAttributes& attributes, const std::string& fileName)
 {
-  MesoExrAttributes attributes;
-  for (const auto& object : builder.GetObjects())
-  {
-    const std::string prefix = "meso." + std::to_string(object.Number) + ".";
-    attributes[prefix + "name"] = object.Name;
-    attributes[prefix + "scale"] = object.Options.Scale;
-    if (object.HeightMap)
-    {
-      const int* size = object.HeightMap->GetDimensions();
-      attributes[prefix + "map_width"] = static_cast<double>(size[0]);
-      attributes[prefix + "map_height"] = static_cast<double>(size[1]);
-    }
-  }
   MesoWriteExr(fileName, pass->GetWidth(), pass->GetHeight(), channels,
     pass->GetInterleaved(channels).data(), attributes);
 }
@@ -177,8 +163,6 @@ std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   std::set<std::string> techniques;
   std::set<std::string> qualities;
   std::set<std::string> effects;
-  std::size_t gpuBytes = 0;
-  vtkIdType triangles = 0;
   renderer->SetPass(nullptr);
   for (const auto& object : builder.GetObjects())
   {
@@ -193,19 +177,9 @@ std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
     {
       effects.insert(name);
     }
-    gpuBytes += object.Mapper->GetGPUBytes();
-    triangles += object.Mesh->GetNumberOfPolys();
   }
-  double fetchSum = 0.;
-  double fetchMost = 0.;
-  double covered = 0.;
-  const std::vector<float> pixels = pass->GetInterleaved({ "coverage", "fetches" });
-  for (std::size_t i = 0; i < pixels.size(); i += 2)
-  {
-    covered += pixels[i];
-    fetchSum += pixels[i + 1];
-    fetchMost = std::max(fetchMost, static_cast<double>(pixels[i + 1]));
-  }
+  const SceneSize size = SizeOfScene(builder);
+  const PixelCounts fetches = CountsOfChannel(pass, "fetches");
 
   nlohmann::ordered_json stats;
   stats["technique"] = OneOrList(techniques);
@@ -216,12 +190,12 @@ std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   stats["frame_ms"] = ToJson(cost.Frame);
   stats["clock"] = cost.Clock;
   stats["runs"] = cost.Runs;
-  stats["covered_pixels"] = static_cast<long long>(covered);
-  stats["fetches_mean"] = covered > 0. ? fetchSum / covered : 0.;
-  stats["fetches_max"] = fetchMost;
-  stats["gpu_bytes"] = gpuBytes;
+  stats["covered_pixels"] = static_cast<long long>(fetches.Covered);
+  stats["fetches_mean"] = fetches.Mean;
+  stats["fetches_max"] = fetches.Maximum;
+  stats["gpu_bytes"] = size.GpuBytes;
   stats["prepare_s"] = prepareSeconds;
-  stats["triangles"] = triangles;
+  stats["triangles"] = size.Triangles;
   stats["device"] = window->GetGLRenderer();
   stats["version"] = MESO_VERSION;
   return stats.dump(2) + "\n";

@@ -1,11 +1,16 @@
 // meso: dispatches to one command a verb.
 // Exit: 0 on success, 1 on a failed job, 2 on wrong usage.
 
+#include "CommandBench.h"
+#include "CommandCompare.h"
+#include "CommandReference.h"
 #include "CommandRender.h"
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <iostream>
+#include <map>
 
 int main(int argc, char* argv[])
 {
@@ -14,7 +19,16 @@ int main(int argc, char* argv[])
   app.require_subcommand(0, 1); // so that a mistyped command is named: see below
   app.footer("Example: meso render scene.json -o scene.png\n"
              "Each command has its own help: meso render --help");
+  CommandBench bench(app);
+  CommandCompare compare(app);
   CommandRender render(app);
+  CommandReference reference(app);
+  const std::map<std::string, std::function<int()>> commands = {
+    { "bench", [&] { return bench.Run(); } },
+    { "compare", [&] { return compare.Run(); } },
+    { "reference", [&] { return reference.Run(); } },
+    { "render", [&] { return render.Run(); } },
+  };
   try
   {
     app.parse(argc, argv);
@@ -22,7 +36,7 @@ int main(int argc, char* argv[])
     {
       throw CLI::RequiredError("A command");
     }
-    return render.Run();
+    return commands.at(app.get_subcommands().front()->get_name())();
   }
   catch (const CLI::Success& asked) // help, version
   {
@@ -30,8 +44,9 @@ int main(int argc, char* argv[])
   }
   catch (const CLI::ParseError& problem)
   {
-    const char* help = app.get_subcommands().empty() ? "meso --help" : "meso render --help";
-    std::cerr << "meso: " << problem.what() << " (see " << help << ")\n";
+    const auto asked = app.get_subcommands();
+    const std::string verb = asked.empty() ? "" : asked.front()->get_name() + " ";
+    std::cerr << "meso: " << problem.what() << " (see meso " << verb << "--help)\n";
     return 2;
   }
   catch (const std::exception& problem)

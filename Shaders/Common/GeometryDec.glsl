@@ -17,3 +17,9 @@ out vec3 mesoNormalMCGSOutput;
 out vec3 mesoPerTCoordUGSOutput;
 out vec3 mesoPerTCoordVGSOutput;
 #endif
+#ifdef MESO_CURVATURE
+in vec3 mesoQuadricVSOutput[];
+in vec3 mesoMetricVSOutput[];
+out vec3 mesoQuadricGSOutput;
+out vec3 mesoMetricGSOutput;
+#endif

@@ -9,3 +9,7 @@
     mesoPerTCoordUGSOutput = mesoPerTCoordUVSOutput[i];
     mesoPerTCoordVGSOutput = mesoPerTCoordVVSOutput[i];
 #endif
+#ifdef MESO_CURVATURE
+    mesoQuadricGSOutput = mesoQuadricVSOutput[i];
+    mesoMetricGSOutput = mesoMetricVSOutput[i];
+#endif

@@ -1,6 +1,8 @@
 // The contract between a technique and everything written once around it. All vectors are in view
 // coordinates (VC), whose unit is the world's; map coordinates are the mesh's uv times tiles.
 //   MESO_FRAME        the technique uses the tangent frame
+//   MESO_QUADRIC      the technique bends its relief over a quadric
+//   MESO_CURVATURE    the quadric is that of the vertices, else the tangent plane
 //   MESO_DISPLACED    the mesh itself is the detail
 //   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
 //   MESO_AOV          every pixel's hit is written out as numbers
@@ -16,6 +18,10 @@ struct MesoFragment
   vec3 PerMapU;    // dp/du per unit of map coordinate
   vec3 PerMapV;    // dp/dv
   vec3 PerDepth;   // -D n: from depth 0 (the mesh) to depth 1 (the deepest point)
+#ifdef MESO_QUADRIC
+  vec3 Quadric;    // the base below its tangent plane, depth over map coordinates: Kernels/Quadric
+  vec3 Metric;     // its lengths there, in units of D
+#endif
 };
 
 // What a technique found along the view ray.
@@ -46,6 +52,10 @@ in vec3 mesoPerTCoordVVSOutput;
 uniform mat3 mesoModelToView;
 uniform float mesoScale; // D in object units
 #endif
+#ifdef MESO_CURVATURE
+in vec3 mesoQuadricVSOutput;
+in vec3 mesoMetricVSOutput;
+#endif
 
 MesoFragment mesoFragment;
 MesoSurfaceHit mesoHit;
@@ -69,6 +79,18 @@ MesoFragment makeFragment(bool parallelProjection, bool frontFacing)
   f.PerMapU = mesoPerTCoordUVSOutput / mesoTiles.x;
   f.PerMapV = mesoPerTCoordVVSOutput / mesoTiles.y;
   f.PerDepth = mesoModelToView * (-mesoScale * normalize(mesoNormalMCVSOutput));
+#endif
+#ifdef MESO_QUADRIC
+  f.Quadric = vec3(0.0);
+  f.Metric = vec3(0.0);
+#ifdef MESO_CURVATURE
+  if (mesoScale > 0.0)
+  {
+    vec2 perMap = 1.0 / mesoTiles;
+    f.Quadric = mesoQuadricVSOutput * perMap.xyx * perMap.xyy / mesoScale;
+    f.Metric = mesoMetricVSOutput * perMap.xxy * perMap.xyy / mesoScale / mesoScale;
+  }
+#endif
 #endif
   return f;
 }

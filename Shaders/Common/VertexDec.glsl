@@ -1,5 +1,6 @@
 // Vertex stage: what the fragments need, in view coordinates (VC).
 //   MESO_FRAME      the technique uses the tangent frame of the vertex
+//   MESO_CURVATURE  and its quadric
 //   MESO_DISPLACED  the mesh itself is the detail
 in vec2 mesoTCoord;
 in vec3 mesoNormal;
@@ -20,4 +21,9 @@ uniform mat3 mesoModelToView; // linear part of model to view, without the buffe
 out vec3 mesoNormalMCVSOutput;
 out vec3 mesoPerTCoordUVSOutput; // dp/du and dp/dv in VC, per unit of the mesh's own coordinate
 out vec3 mesoPerTCoordVVSOutput;
+#endif
+#ifdef MESO_CURVATURE
+in vec3 mesoQuadric;
+out vec3 mesoQuadricVSOutput; // over the mesh's own coordinate, object units: Kernels/Quadric
+out vec3 mesoMetricVSOutput;  // |dp/du|^2, dp/du . dp/dv, |dp/dv|^2, object units
 #endif

@@ -9,3 +9,10 @@
   mesoPerTCoordUVSOutput = mesoModelToView * (mesoTileScale.x * mesoTangent);
   mesoPerTCoordVVSOutput = mesoModelToView * (mesoTileScale.y * mesoBitangent);
 #endif
+#ifdef MESO_CURVATURE
+  mesoQuadricVSOutput =
+    quadricOverTexture(mesoQuadric, mesoTangent, mesoBitangent, mesoNormal, mesoTileScale);
+  mesoMetricVSOutput = vec3(mesoTileScale.x * mesoTileScale.x,
+    mesoTileScale.x * mesoTileScale.y * dot(mesoTangent, mesoBitangent),
+    mesoTileScale.y * mesoTileScale.y);
+#endif

@@ -61,6 +61,17 @@ TEST(MesoHelp, OfACommandNamesItsOptions)
   }
 }
 
+TEST(MesoHelp, OfCompareNamesItsOptions)
+{
+  const MesoRun run = RunMeso({ "compare", "--help" });
+  EXPECT_EQ(run.ExitCode, 0);
+  for (const char* part :
+    { "Example: meso compare ", "--json", "--difference", "--classes", "hole" })
+  {
+    EXPECT_TRUE(Contains(run.Output, part)) << part << "\nis not in\n" << run.Output;
+  }
+}
+
 TEST(MesoHelp, VersionIsOneLine)
 {
   const MesoRun run = RunMeso({ "--version" });
@@ -77,6 +88,7 @@ TEST(MesoUsage, NeedsACommandThatExists)
 
 TEST(MesoUsage, NeedsASceneAndAnOutput)
 {
+  ExpectRefused({ "compare", "x.png" }, { "TEST", "required", "meso compare --help" });
   ExpectRefused({ "render", "-o", "x.png" }, { "SCENE", "required", "meso render --help" });
   ExpectRefused({ "render", "scene.json" }, { "--output", "required" });
   ExpectRefused({ "render", "scene.json", "-o" }, { "--output" });

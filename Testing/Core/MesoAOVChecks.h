@@ -6,10 +6,9 @@
  * @brief What must hold of every pixel's numbers, however hard the case.
  */
 
-#include "MesoTestScene.h"
+#include "MesoReliefTechniques.h"
 
 #include "vtkMesoAOVPass.h"
-#include "vtkMesoReliefMapper.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -59,8 +58,8 @@ inline int MesoCheckEveryPixel(const vtkMesoAOVPass* pass)
   return covered;
 }
 
-/// One shape with relief, and its AOVs.
-class MesoReliefAOVs : public testing::Test
+/// One shape with relief in a technique, and its AOVs.
+class MesoReliefAOVs : public testing::TestWithParam<MesoTechnique>
 {
 protected:
   MesoTestScene Scene{ 96, 96 };
@@ -77,6 +76,8 @@ protected:
   }
 
   ~MesoReliefAOVs() override { this->Pass->ReleaseGraphicsResources(this->Scene.Window); }
+
+  void Use(vtkPolyData* mesh) { MesoUse(this->Mapper, this->GetParam(), mesh); }
 
   /// Captures and checks every pixel; gives the number of covered ones.
   int Check()

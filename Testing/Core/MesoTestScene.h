@@ -6,8 +6,10 @@
  * @brief One shape before one camera, for tests of mappers: set it up, change it, look at it.
  */
 
+#include "MesoOptions.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPatternSource.h"
+#include "vtkMesoQuadricFit.h"
 #include "vtkMesoShapeSource.h"
 
 #include "vtkActor.h"
@@ -56,6 +58,19 @@ struct MesoTestScene
     }
     source->Update();
     return source->GetOutput();
+  }
+
+  /// The mesh with what a technique needs: MesoQuadric for the techniques that bend the relief.
+  static vtkSmartPointer<vtkPolyData> Prepared(vtkPolyData* mesh, MesoTechnique technique)
+  {
+    if (!MesoEffectsOfTechnique(technique).Has(MesoEffect::Curvature))
+    {
+      return mesh;
+    }
+    vtkNew<vtkMesoQuadricFit> fit;
+    fit->SetInputData(mesh);
+    fit->Update();
+    return fit->GetOutput();
   }
 
   static vtkSmartPointer<vtkImageData> Pattern(const std::string& name, int width = 64,

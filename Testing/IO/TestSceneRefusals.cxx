@@ -90,12 +90,12 @@ TEST(SceneRefusals, KnownButNotYetServed)
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
   EXPECT_EQ(OfScene(R"("clipping_planes": [])"), "s.json: clipping_planes: is not available yet");
   for (const char* key : { "relief_map", "volume", "tile_mesh", "baked", "reference", "search",
-         "quadric", "curved", "rank", "segments" })
+         "curved", "rank", "segments" })
   {
     EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
       std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
   }
-  for (const char* key : { "normal_map", "normal_map_y", "color_by", "lookup_table" })
+  for (const char* key : { "normal_map", "normal_map_y" })
   {
     EXPECT_EQ(OfNode(std::string(R"("mesh": "a.obj", "material": {")") + key + "\": 1}"),
       std::string("s.json: nodes[0].material.") + key + ": is not available yet");
@@ -107,10 +107,14 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
   EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
     "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
-    "plain, relief, tessellated)");
+    "plain, relief, relief-quadric, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
-    "relief? choices: plain, relief, tessellated)");
+    "relief? choices: plain, relief, relief-quadric, tessellated)");
+  EXPECT_EQ(OfRelief(R"(, "quadric": "full")"),
+    "s.json: nodes[0].mesostructure.quadric: technique relief has no quadric");
+  EXPECT_TRUE(Mentions(
+    OfNode(head + R"("technique": "relief-quadric", "quadric": "cubic"})"), "full, diagonal"));
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "certified"})"),
     "quality \"certified\" is not available yet (choices: draft, low, medium, high)"));
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "best"})"), "there is no quality \"best\""));
@@ -218,4 +222,39 @@ TEST(SceneRefusals, Maps)
   }
   EXPECT_TRUE(Mentions(
     OfNode(R"("mesh": "a", "mesostructure": {"scale": -1})"), "scale: must be 0 or more, is -1"));
+}
+
+TEST(SceneRefusals, ColorBy)
+{
+  const std::pair<const char*, const char*> cases[] = {
+    { R"("color_by": 1)", "s.json: nodes[0].material.color_by: must be a string, is a number" },
+    { R"("color_by": "")", "color_by: must not be empty" },
+    { R"("color_by": "A[]")", "color_by: must be the name of a point array, or NAME[i]" },
+    { R"("color_by": "A[-1]")", "color_by: must be the name of a point array, or NAME[i]" },
+    { R"("color_by": "A[x]")", "color_by: must be the name of a point array, or NAME[i]" },
+    { R"("color_by": "A[99999]")", "color_by: must be the name of a point array, or NAME[i]" },
+    { R"("color_by": "[0]")", "color_by: must be the name of a point array, or NAME[i]" },
+    { R"("color_by": "A]")", "color_by: must be the name of a point array, or NAME[i]" },
+    { R"("color_by": "height[0]")", "color_by: height has no components" },
+    { R"("color_by": "height")",
+      "color_by: height is that of a height_map or a depth_map, and the node has none" },
+    { R"("color_by": "A", "color_map": "c.png")",
+      "color_map: there is a color_by already; only one of them gives the color" },
+    { R"("lookup_table": {})", "lookup_table: there is no color_by that it is of" },
+    { R"("color_by": "A", "lookup_table": "viridis")", "lookup_table: must be an object" },
+    { R"("color_by": "A", "lookup_table": {"nme": "grey"})",
+      "lookup_table.nme: unknown key (did you mean name?)" },
+    { R"("color_by": "A", "lookup_table": {"name": "viridris"})",
+      "lookup_table.name: there is no lookup table \"viridris\" (did you mean viridis? choices: "
+      "viridis, coolwarm, grey)" },
+    { R"("color_by": "A", "lookup_table": {"range": [1, 1]})",
+      "lookup_table.range: the first number must be less than the second" },
+    { R"("color_by": "A", "lookup_table": {"range": [1]})", "range: must be a list of 2, has 1" },
+  };
+  for (const auto& [text, part] : cases)
+  {
+    const std::string message =
+      OfNode(std::string(R"("mesh": "a.obj", "material": {)") + text + "}");
+    EXPECT_TRUE(Mentions(message, part)) << text << " gives " << message;
+  }
 }

@@ -1,5 +1,6 @@
 // Holds the published JSON Schema and the documentation to what the reader serves.
 
+#include "MesoColorMap.h"
 #include "MesoPattern.h"
 #include "MesoScene.h"
 #include "MesoSceneKeys.h"
@@ -82,6 +83,8 @@ TEST(SceneSchema, HasTheChoicesOfTheReader)
   EXPECT_EQ(keys.at("technique").at("enum"), Json(MesoTechniqueNames()));
   EXPECT_EQ(keys.at("quality").at("enum"), Json(MesoQualityNames()));
   EXPECT_EQ(keys.at("wrap").at("enum"), Json(MesoWrapNames()));
+  const Json table = schema.at("$defs").at("lookup_table").at("properties");
+  EXPECT_EQ(table.at("name").at("enum"), Json(MesoColorMapNames()));
   EXPECT_EQ(keys.at("effects").at("anyOf").at(1).at("items").at("enum"), Json(MesoEffectNames()));
 }
 

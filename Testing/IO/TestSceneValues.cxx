@@ -101,6 +101,30 @@ TEST(SceneValues, MaterialAndFileNames)
   EXPECT_TRUE(node.Material.Edges);
 }
 
+TEST(SceneValues, ColorBy)
+{
+  const auto colorBy = [](const std::string& members)
+  {
+    return *ParseNode(
+      R"("mesh": "a.obj", "mesostructure": {"height_map": "h.png"}, "material": {)" + members + "}")
+              .Material.ColorBy;
+  };
+  EXPECT_FALSE(ParseNode(R"("mesh": "a.obj", "material": {})").Material.ColorBy);
+  const MesoSceneColorBy whole = colorBy(R"("color_by": "MesoCurvature")");
+  EXPECT_EQ(whole.Array, "MesoCurvature");
+  EXPECT_FALSE(whole.Component);
+  EXPECT_EQ(whole.LookupTable, "");
+  EXPECT_FALSE(whole.Range);
+  EXPECT_FALSE(whole.IsHeight());
+  const MesoSceneColorBy part = colorBy(
+    R"("color_by": "a b[2][13]", "lookup_table": {"name": "coolwarm", "range": [-2, 0.5]})");
+  EXPECT_EQ(part.Array, "a b[2]");
+  EXPECT_EQ(part.Component, 13);
+  EXPECT_EQ(part.LookupTable, "coolwarm");
+  EXPECT_EQ(part.Range, (std::array<double, 2>{ -2., 0.5 }));
+  EXPECT_TRUE(colorBy(R"("color_by": "height")").IsHeight());
+}
+
 TEST(SceneValues, ShapeAndPattern)
 {
   const MesoSceneNode node = ParseNode(R"("mesh": {"shape": "plane", "size": [2, 3]},

@@ -17,6 +17,7 @@ struct FloatKernels
   using Real = float;
   using Frame = MesoKernels::Float::Frame;
   using HeightField = MesoKernels::Float::HeightField;
+  using Quadric = MesoKernels::Float::Quadric;
 };
 
 struct DoubleKernels
@@ -24,6 +25,7 @@ struct DoubleKernels
   using Real = double;
   using Frame = MesoKernels::Double::Frame;
   using HeightField = MesoKernels::Double::HeightField;
+  using Quadric = MesoKernels::Double::Quadric;
 };
 
 struct KernelNames
@@ -62,6 +64,7 @@ public:
   using Vec3 = glm::vec<3, Real>;
   using Frame = typename Kernels::Frame;
   using HeightField = typename Kernels::HeightField;
+  using Quadric = typename Kernels::Quadric;
   static constexpr Real Epsilon = std::numeric_limits<Real>::epsilon();
 
   /// Uniform in [low, high].

@@ -25,11 +25,16 @@ TYPED_TEST(OcclusionKernel, SeesTheWallThatIsHighEnough)
   const typename TestFixture::Vec2 start(Real(0.25), 0);
   const typename TestFixture::Vec2 rise(Real(0.5), 0);
   int fetches = 0;
-  EXPECT_EQ(this->Wall(0.8f).occludedLinear(start, rise, 1, 0, 64, fetches), 1);
+  const auto blocked = [&](float height, const typename TestFixture::Vec2& perHeight)
+  {
+    const auto wall = this->Wall(height);
+    return wall.occludedLinear(wall.straightPath(start, -perHeight, 1, 0), 64, fetches);
+  };
+  EXPECT_EQ(blocked(0.8f, rise), 1);
   EXPECT_LT(fetches, 64);
-  EXPECT_EQ(this->Wall(0.4f).occludedLinear(start, rise, 1, 0, 64, fetches), 0);
+  EXPECT_EQ(blocked(0.4f, rise), 0);
   EXPECT_EQ(fetches, 64);
-  EXPECT_EQ(this->Wall(1.f).occludedLinear(start, -rise, 1, 0, 64, fetches), 0); // the other way
+  EXPECT_EQ(blocked(1.f, -rise), 0); // the other way
 }
 
 TYPED_TEST(OcclusionKernel, BlocksNothingOnFlatGround)
@@ -45,7 +50,9 @@ TYPED_TEST(OcclusionKernel, BlocksNothingOnFlatGround)
       const Vec2 start(this->Random(-1., 1.), this->Random(-1., 1.));
       const Vec2 rise(this->Random(-9., 9.), this->Random(-9., 9.));
       int fetches = -1;
-      ASSERT_EQ(field.occludedLinear(start, rise, Real(1) - Real(height), 0, 64, fetches), 0);
+      ASSERT_EQ(field.occludedLinear(
+                  field.straightPath(start, -rise, Real(1) - Real(height), 0), 64, fetches),
+        0);
       ASSERT_EQ(fetches, height < 1.f ? 64 : 0);
     }
   }
@@ -65,7 +72,9 @@ TYPED_TEST(OcclusionKernel, DoesNotHangOnTheSamplersRounding)
     const Real u = this->Random(1. / 16., 12. / 16.);
     const Real depth = Real(1) - field.bilinearHeight(Vec2(u, 0)) - Real(1e-4);
     int fetches = 0;
-    ASSERT_EQ(field.occludedLinear(Vec2(u, 0), Vec2(Real(0.999), 0), depth, 0, 64, fetches), 0)
+    ASSERT_EQ(field.occludedLinear(
+                field.straightPath(Vec2(u, 0), -Vec2(Real(0.999), 0), depth, 0), 64, fetches),
+      0)
       << u;
   }
 }
@@ -100,7 +109,8 @@ TYPED_TEST(OcclusionKernel, AgreesWithAFineMarchOnSmoothMaps)
       truth = 1. - double(field.sampleHeight(uv)) < depth - risen - 1e-6;
     }
     int fetches = 0;
-    const Real found = field.occludedLinear(start, rise, Real(depth), 0, 64, fetches);
+    const Real found =
+      field.occludedLinear(field.straightPath(start, -rise, Real(depth), 0), 64, fetches);
     blocked += truth;
     different += (found == 1) != truth;
   }
@@ -118,12 +128,17 @@ TYPED_TEST(OcclusionKernel, BlocksNothingWithoutARay)
   {
     Real numbers[5] = { Real(0.1), Real(0.2), Real(0.3), Real(0.4), Real(0.5) };
     numbers[argument] = Real(NotANumber);
-    EXPECT_EQ(field.occludedLinear(
-                { numbers[0], numbers[1] }, { numbers[2], numbers[3] }, numbers[4], 0, 64, fetches),
+    EXPECT_EQ(field.occludedLinear(field.straightPath({ numbers[0], numbers[1] },
+                                     { -numbers[2], -numbers[3] }, numbers[4], 0),
+                64, fetches),
       0);
     EXPECT_EQ(fetches, 0);
   }
-  EXPECT_EQ(field.occludedLinear({ Real(0.5), 0 }, { 0, 0 }, Real(-0.1), 0, 64, fetches), 0);
-  EXPECT_EQ(field.occludedLinear({ Real(0.5), 0 }, { 0, 0 }, Real(0.5), 0, 0, fetches), 0);
+  EXPECT_EQ(field.occludedLinear(
+              field.straightPath({ Real(0.5), 0 }, { 0, 0 }, Real(-0.1), 0), 64, fetches),
+    0);
+  EXPECT_EQ(
+    field.occludedLinear(field.straightPath({ Real(0.5), 0 }, { 0, 0 }, Real(0.5), 0), 0, fetches),
+    0);
   EXPECT_EQ(fetches, 0);
 }

@@ -126,7 +126,8 @@ std::vector<double> SearchedDepths(
   std::vector<double> depths;
   for (const Ray& ray : rays)
   {
-    const auto hit = field.searchLinearBinary(Vec2(ray.Entry), Vec2(ray.Slope), 0, linear, binary);
+    const auto hit = field.searchLinearBinary(
+      field.straightPath(Vec2(ray.Entry), Vec2(ray.Slope), 0, 1), linear, binary);
     EXPECT_TRUE(hit.Hit);
     depths.push_back(double(hit.RayDepth));
   }

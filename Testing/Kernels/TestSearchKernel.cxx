@@ -35,12 +35,13 @@ public:
   /// heights differ by 1 from texel to texel.
   void ExpectOnRelief(const HeightField& field, const Vec2& entry, const Vec2& slope)
   {
-    const auto hit = field.searchLinearBinary(entry, slope, 0, LinearSteps, BinarySteps);
+    const auto hit =
+      field.searchLinearBinary(field.straightPath(entry, slope, 0, 1), LinearSteps, BinarySteps);
     ASSERT_TRUE(hit.Hit);
     ASSERT_GE(hit.RayDepth, 0);
     ASSERT_LE(hit.RayDepth, 1);
     ASSERT_EQ(hit.Relief, hit.RayDepth);
-    ASSERT_EQ(hit.MapCoord, entry + hit.RayDepth * slope);
+    ASSERT_EQ(hit.MapCoord, entry + hit.Part * slope);
     ASSERT_LE(hit.Iterations, LinearSteps + BinarySteps);
     const double bracket = 1. / (LinearSteps << BinarySteps);
     const double steepest = 1. + double(std::abs(slope.x)) * field.mapSize().x +
@@ -60,7 +61,8 @@ TYPED_TEST(SearchKernel, HitsTheTopAtOnceAndExactly)
   for (double degrees : { 0., 60., 89.99 })
   {
     const Vec2 entry(this->Random(-5., 5.), this->Random(-5., 5.));
-    const auto hit = field.searchLinearBinary(entry, this->Slope(degrees), 0, 128, 8);
+    const auto hit =
+      field.searchLinearBinary(field.straightPath(entry, this->Slope(degrees), 0, 1), 128, 8);
     EXPECT_TRUE(hit.Hit);
     EXPECT_EQ(hit.RayDepth, 0);
     EXPECT_EQ(hit.MapCoord, entry);
@@ -79,7 +81,8 @@ TYPED_TEST(SearchKernel, HitsTheBottomExactly)
     const Vec2 entry(this->Random(-5., 5.), this->Random(-5., 5.));
     for (int steps = 1; steps <= 128; ++steps) // for some, steps * (1 / steps) is not 1
     {
-      const auto hit = field.searchLinearBinary(entry, this->Slope(degrees), 0, steps, 8);
+      const auto hit =
+        field.searchLinearBinary(field.straightPath(entry, this->Slope(degrees), 0, 1), steps, 8);
       EXPECT_TRUE(hit.Hit);
       EXPECT_EQ(hit.RayDepth, 1);
       EXPECT_EQ(hit.MapCoord, entry + this->Slope(degrees));
@@ -97,7 +100,8 @@ TYPED_TEST(SearchKernel, HitsFlatGroundUpToRounding)
     const auto field = this->Constant(height);
     for (double degrees : { 0., 60., 89.99 })
     {
-      const auto hit = field.searchLinearBinary(Vec2(0), this->Slope(degrees), 0, 16, 5);
+      const auto hit =
+        field.searchLinearBinary(field.straightPath(Vec2(0), this->Slope(degrees), 0, 1), 16, 5);
       EXPECT_TRUE(hit.Hit);
       EXPECT_NEAR(hit.RayDepth, 1. - double(height), 2. * double(this->Epsilon));
     }
@@ -112,14 +116,16 @@ TYPED_TEST(SearchKernel, StartsBelowTheSurfaceWhereItStands)
   const Vec2 entry(Real(0.3), Real(-7.25));
   for (double start : { 0.2 + 1e-6, 0.5, 1. })
   {
-    const auto hit = field.searchLinearBinary(entry, this->Slope(60.), Real(start), 16, 5);
+    const auto hit =
+      field.searchLinearBinary(field.straightPath(entry, this->Slope(60.), Real(start), 1), 16, 5);
     EXPECT_TRUE(hit.Hit);
     EXPECT_EQ(hit.RayDepth, Real(start));
     EXPECT_EQ(hit.Relief, Real(start));
     EXPECT_EQ(hit.MapCoord, entry);
     EXPECT_EQ(hit.Iterations, 0);
   }
-  const auto later = field.searchLinearBinary(entry, this->Slope(60.), Real(0.1), 16, 5);
+  const auto later =
+    field.searchLinearBinary(field.straightPath(entry, this->Slope(60.), Real(0.1), 1), 16, 5);
   EXPECT_NEAR(later.RayDepth, 0.2, 1e-6);
   EXPECT_NEAR(later.MapCoord.x, entry.x + Real(0.1) * this->Slope(60.).x, 1e-6);
 }
@@ -133,13 +139,18 @@ TYPED_TEST(SearchKernel, FindsTheStepOfAWallByHand)
   // s = (9/16 - 1/4 - s/2) * 8, so s = 1/2, u = 1/2.
   const std::vector<float> heights = MakeHeights(8, 1, [](int i, int) { return i < 4 ? 0. : 1.; });
   const typename TestFixture::HeightField field(8, 1, MesoWrap::Clamp, heights);
-  const auto hit = field.searchLinearBinary({ Real(0.25), Real(0.5) }, { Real(0.5), 0 }, 0, 128, 8);
+  const auto hit = field.searchLinearBinary(
+    field.straightPath({ Real(0.25), Real(0.5) }, { Real(0.5), 0 }, 0, 1), 128, 8);
   EXPECT_TRUE(hit.Hit);
   EXPECT_NEAR(hit.RayDepth, 0.5, 4. * double(this->Epsilon));
   EXPECT_NEAR(hit.MapCoord.x, 0.5, 4. * double(this->Epsilon));
   // From the other side the wall's top is met at once.
-  EXPECT_EQ(field.searchLinearBinary({ Real(0.75), 0 }, { Real(-0.5), 0 }, 0, 128, 8).RayDepth, 0);
-  EXPECT_EQ(field.searchLinearBinary(Vec2(0, 0), Vec2(0, 0), 0, 128, 8).RayDepth, 1);
+  EXPECT_EQ(
+    field.searchLinearBinary(field.straightPath({ Real(0.75), 0 }, { Real(-0.5), 0 }, 0, 1), 128, 8)
+      .RayDepth,
+    0);
+  EXPECT_EQ(
+    field.searchLinearBinary(field.straightPath(Vec2(0, 0), Vec2(0, 0), 0, 1), 128, 8).RayDepth, 1);
 }
 
 TYPED_TEST(SearchKernel, FindsTheSameFromFurtherAlongTheRay)
@@ -153,9 +164,10 @@ TYPED_TEST(SearchKernel, FindsTheSameFromFurtherAlongTheRay)
   {
     const Vec2 entry(this->Random(0.1, 0.9), 0);
     const Vec2 slope(this->Random(0.1, 1.), this->Random(-9., 9.));
-    const auto whole = field.searchLinearBinary(entry, slope, 0, 128, 8);
+    const auto whole = field.searchLinearBinary(field.straightPath(entry, slope, 0, 1), 128, 8);
     const Real start = Real(0.9) * whole.RayDepth;
-    const auto part = field.searchLinearBinary(entry + start * slope, slope, start, 128, 8);
+    const auto part =
+      field.searchLinearBinary(field.straightPath(entry + start * slope, slope, start, 1), 128, 8);
     ASSERT_TRUE(part.Hit);
     ASSERT_NEAR(part.RayDepth, whole.RayDepth, 64. * double(this->Epsilon));
     ASSERT_NEAR(part.MapCoord.x, whole.MapCoord.x, 64. * double(this->Epsilon));
@@ -218,7 +230,7 @@ TYPED_TEST(SearchKernel, FindsSpikeAndSlotStraightDown)
     for (int run = 0; run < 500; ++run)
     {
       const Vec2 uv(this->Random(15. / 32., 18. / 32.), this->Random(15. / 32., 18. / 32.));
-      const auto hit = field.searchLinearBinary(uv, Vec2(0), 0, 16, 5);
+      const auto hit = field.searchLinearBinary(field.straightPath(uv, Vec2(0), 0, 1), 16, 5);
       ASSERT_TRUE(hit.Hit);
       ASSERT_NEAR(hit.RayDepth, Real(1) - field.bilinearHeight(uv), 4 * this->Epsilon);
     }
@@ -233,7 +245,8 @@ TYPED_TEST(SearchKernel, TakesTheNearerOfTwoWalls)
   heights[20] = 1.f;
   const typename TestFixture::HeightField field(32, 1, MesoWrap::Repeat, heights);
   // Both walls stand in the way of a ray that runs one tile while it sinks; the first is met.
-  const auto hit = field.searchLinearBinary({ 0, 0 }, { Real(1), 0 }, 0, 128, 8);
+  const auto hit =
+    field.searchLinearBinary(field.straightPath({ 0, 0 }, { Real(1), 0 }, 0, 1), 128, 8);
   EXPECT_GT(hit.MapCoord.x, 7.5 / 32.);
   EXPECT_LT(hit.MapCoord.x, 8.5 / 32.);
 }
@@ -249,9 +262,10 @@ TYPED_TEST(SearchKernel, GoesOnExactlyThousandsOfTilesAway)
   for (int run = 0; run < 300; ++run)
   {
     const Vec2 entry(Real(part(this->Generator)) / 512, Real(part(this->Generator)) / 512);
-    const auto here = field.searchLinearBinary(entry, this->Slope(60.), 0, 64, 7);
-    const auto there =
-      field.searchLinearBinary(entry + Vec2(10000, -10000), this->Slope(60.), 0, 64, 7);
+    const auto here =
+      field.searchLinearBinary(field.straightPath(entry, this->Slope(60.), 0, 1), 64, 7);
+    const auto there = field.searchLinearBinary(
+      field.straightPath(entry + Vec2(10000, -10000), this->Slope(60.), 0, 1), 64, 7);
     ASSERT_EQ(here.RayDepth, there.RayDepth);
     // The sum itself is what a float makes of it.
     ASSERT_NEAR(there.MapCoord.x - 10000, here.MapCoord.x, 10001 * double(this->Epsilon));
@@ -270,7 +284,8 @@ TYPED_TEST(SearchKernel, TakesNoRayThatIsNotFinite)
       Real numbers[5] = { Real(0.1), Real(0.2), Real(0.3), Real(0.4), 0 };
       numbers[argument] = Real(odd);
       const auto hit = field.searchLinearBinary(
-        { numbers[0], numbers[1] }, { numbers[2], numbers[3] }, numbers[4], 128, 8);
+        field.straightPath({ numbers[0], numbers[1] }, { numbers[2], numbers[3] }, numbers[4], 1),
+        128, 8);
       EXPECT_FALSE(hit.Hit);
       EXPECT_EQ(hit.RayDepth, 0);
       EXPECT_EQ(hit.MapCoord, Vec2(0));
@@ -288,7 +303,8 @@ TYPED_TEST(SearchKernel, TakesNoRayThatIsNotFinite)
   for (int run = 0; run < 500; ++run)
   {
     const auto hit = holes.searchLinearBinary(
-      { this->Random(0., 1.), this->Random(0., 1.) }, this->Slope(60.), 0, 32, 6);
+      holes.straightPath({ this->Random(0., 1.), this->Random(0., 1.) }, this->Slope(60.), 0, 1),
+      32, 6);
     ASSERT_TRUE(std::isfinite(hit.RayDepth + hit.MapCoord.x + hit.MapCoord.y + hit.Relief));
   }
 }
@@ -298,7 +314,8 @@ TYPED_TEST(SearchKernel, TakesAnyNumberOfSteps)
   const auto field = this->Constant(0.5f);
   for (int steps : { -1, 0, 1 })
   {
-    const auto hit = field.searchLinearBinary({ 0, 0 }, { 0, 0 }, 0, steps, -1);
+    const auto hit =
+      field.searchLinearBinary(field.straightPath({ 0, 0 }, { 0, 0 }, 0, 1), steps, -1);
     EXPECT_TRUE(hit.Hit);
     EXPECT_NEAR(hit.RayDepth, 0.5, 2. * double(this->Epsilon));
     EXPECT_EQ(hit.Iterations, 1);

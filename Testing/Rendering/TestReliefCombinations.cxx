@@ -3,9 +3,7 @@
 // process of its own, since a shader that does not compile ends VTK 9.1's.
 
 #include "MesoBaseline.h"
-#include "MesoTestScene.h"
-
-#include "vtkMesoReliefMapper.h"
+#include "MesoReliefTechniques.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -196,24 +194,26 @@ const Combination Combinations[] = {
     } },
 };
 
-class ReliefCombinations : public testing::TestWithParam<Combination>
+class ReliefCombinations : public testing::TestWithParam<std::tuple<MesoTechnique, Combination>>
 {
 protected:
-  static vtkSmartPointer<vtkImageData> Draw(const Combination& combination, bool relief)
+  static vtkSmartPointer<vtkImageData> Draw(const Combination& combination, MesoTechnique technique)
   {
     MesoTestScene scene;
+    const auto torus = MesoTestScene::Shape("torus");
     vtkSmartPointer<vtkMesoPolyDataMapper> mapper;
-    if (relief)
+    if (technique != MesoTechnique::Plain)
     {
       vtkNew<vtkMesoReliefMapper> withMap;
+      MesoUse(withMap, technique, torus);
       withMap->SetHeightMap(MesoTestScene::Pattern("brick"));
       mapper = withMap;
     }
     else
     {
       mapper = vtkSmartPointer<vtkMesoPolyDataMapper>::New();
+      mapper->SetInputData(torus);
     }
-    mapper->SetInputData(MesoTestScene::Shape("torus"));
     mapper->SetScale(0.1);
     mapper->SetTiles(6., 3.);
     scene.Actor->SetMapper(mapper);
@@ -227,10 +227,17 @@ protected:
 
 TEST_P(ReliefCombinations, CompilesAndShowsRelief)
 {
-  const auto relief = Draw(this->GetParam(), true);
-  const auto plain = Draw(this->GetParam(), false);
+  const Combination& combination = std::get<1>(this->GetParam());
+  const auto relief = Draw(combination, std::get<0>(this->GetParam()));
+  const auto plain = Draw(combination, MesoTechnique::Plain);
   EXPECT_FALSE(MesoCompareImages(relief, plain).Within) << "the relief is not seen";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ReliefCombinations, testing::ValuesIn(Combinations),
-  [](const testing::TestParamInfo<Combination>& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(All, ReliefCombinations,
+  testing::Combine(testing::Values(MesoTechnique::Relief, MesoTechnique::ReliefQuadric),
+    testing::ValuesIn(Combinations)),
+  [](const testing::TestParamInfo<ReliefCombinations::ParamType>& info)
+  {
+    return MesoTechniqueTestName(std::get<0>(info.param)) +
+      std::string(std::get<1>(info.param).Name);
+  });

@@ -3,9 +3,7 @@
 
 #include "MesoBaseline.h"
 #include "MesoExpectedMessages.h"
-#include "MesoTestScene.h"
-
-#include "vtkMesoReliefMapper.h"
+#include "MesoReliefTechniques.h"
 
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -15,7 +13,7 @@
 
 namespace
 {
-class ReliefNullCases : public testing::Test
+class ReliefNullCases : public testing::TestWithParam<MesoTechnique>
 {
 protected:
   MesoTestScene Scene;
@@ -26,7 +24,7 @@ protected:
   {
     const auto torus = MesoTestScene::Shape("torus");
     this->Plain->SetInputData(torus);
-    this->Relief->SetInputData(torus);
+    MesoUse(this->Relief, this->GetParam(), torus);
     this->Relief->SetHeightMap(MesoTestScene::Pattern("brick"));
     this->Relief->SetScale(0.1);
     this->Relief->SetTiles(6., 3.);
@@ -47,26 +45,26 @@ protected:
 };
 }
 
-TEST_F(ReliefNullCases, ReliefIsSeenAtAll)
+TEST_P(ReliefNullCases, ReliefIsSeenAtAll)
 {
   EXPECT_FALSE(this->Compare({}).Within);
 }
 
-TEST_F(ReliefNullCases, ZeroScale)
+TEST_P(ReliefNullCases, ZeroScale)
 {
   this->Relief->SetScale(0.);
   const auto difference = this->Compare(MesoImageLimits::Exact());
   EXPECT_TRUE(difference.Within) << difference.Describe();
 }
 
-TEST_F(ReliefNullCases, DepthMapOfZero)
+TEST_P(ReliefNullCases, DepthMapOfZero)
 {
   this->Relief->SetHeightMap(MesoTestScene::Constant(1.f));
   const auto difference = this->Compare(MesoImageLimits::Exact());
   EXPECT_TRUE(difference.Within) << difference.Describe();
 }
 
-TEST_F(ReliefNullCases, DepthMapOfZeroTextured)
+TEST_P(ReliefNullCases, DepthMapOfZeroTextured)
 {
   this->Relief->SetHeightMap(MesoTestScene::Constant(1.f));
   vtkNew<vtkImageData> image;
@@ -83,18 +81,18 @@ TEST_F(ReliefNullCases, DepthMapOfZeroTextured)
   EXPECT_TRUE(difference.Within) << difference.Describe();
 }
 
-TEST_F(ReliefNullCases, NoHeightMap)
+TEST_P(ReliefNullCases, NoHeightMap)
 {
   this->Relief->SetHeightMap(nullptr);
   const auto difference = this->Compare(MesoImageLimits::Exact());
   EXPECT_TRUE(difference.Within) << difference.Describe();
 }
 
-TEST_F(ReliefNullCases, SeenFromBehind)
+TEST_P(ReliefNullCases, SeenFromBehind)
 {
   const auto plane = MesoTestScene::Shape("plane");
   this->Plain->SetInputData(plane);
-  this->Relief->SetInputData(plane);
+  MesoUse(this->Relief, this->GetParam(), plane);
   this->Scene.Actor->GetProperty()->BackfaceCullingOff();
   this->Scene.LookFrom(0.5, 0.4, -2.);
   this->Scene.AddDirectionalLight(0.3, 0.2, 1.);
@@ -102,7 +100,7 @@ TEST_F(ReliefNullCases, SeenFromBehind)
   EXPECT_TRUE(difference.Within) << difference.Describe();
 }
 
-TEST_F(ReliefNullCases, NoEffects)
+TEST_P(ReliefNullCases, NoEffects)
 {
   MesoMesostructureOptions options = this->Relief->GetOptions();
   options.Effects.Auto = false;
@@ -112,7 +110,7 @@ TEST_F(ReliefNullCases, NoEffects)
   EXPECT_TRUE(this->Relief->GetEffectsDrawn().Empty());
 }
 
-TEST_F(ReliefNullCases, MissingFramesAreSaidOnce)
+TEST_P(ReliefNullCases, MissingFramesAreSaidOnce)
 {
   this->Relief->GetInput()->GetPointData()->RemoveArray("MesoTangent");
   MesoExpectedMessages expected("lacks MesoTangent");
@@ -123,7 +121,7 @@ TEST_F(ReliefNullCases, MissingFramesAreSaidOnce)
   EXPECT_NE(this->Relief->GetWhyPlain().find("lacks MesoTangent"), std::string::npos);
 }
 
-TEST_F(ReliefNullCases, BoundsHoldTheRelief)
+TEST_P(ReliefNullCases, BoundsHoldTheRelief)
 {
   double plain[6];
   double relief[6];
@@ -138,7 +136,7 @@ TEST_F(ReliefNullCases, BoundsHoldTheRelief)
   EXPECT_EQ(relief[0], plain[0]);
 }
 
-TEST_F(ReliefNullCases, ClippingPlanesAreSaidToCutTheBase)
+TEST_P(ReliefNullCases, ClippingPlanesAreSaidToCutTheBase)
 {
   vtkNew<vtkPlane> plane;
   this->Relief->AddClippingPlane(plane);
@@ -149,7 +147,7 @@ TEST_F(ReliefNullCases, ClippingPlanesAreSaidToCutTheBase)
   EXPECT_EQ(expected.GetCount(), 1);
 }
 
-TEST_F(ReliefNullCases, AnotherWindowAndBackAgain)
+TEST_P(ReliefNullCases, AnotherWindowAndBackAgain)
 {
   this->Scene.Actor->SetMapper(this->Relief);
   const auto first = MesoGrabWindow(this->Scene.Window);
@@ -164,7 +162,7 @@ TEST_F(ReliefNullCases, AnotherWindowAndBackAgain)
   EXPECT_TRUE(MesoCompareImages(again, first, MesoImageLimits::Exact()).Within);
 }
 
-TEST_F(ReliefNullCases, OptionsTakeEffectBetweenFrames)
+TEST_P(ReliefNullCases, OptionsTakeEffectBetweenFrames)
 {
   this->Scene.Actor->SetMapper(this->Relief);
   this->Scene.Window->Render();
@@ -180,7 +178,7 @@ TEST_F(ReliefNullCases, OptionsTakeEffectBetweenFrames)
   EXPECT_FALSE(MesoCompareImages(noise, shading).Within) << "the new map is not seen";
 }
 
-TEST_F(ReliefNullCases, WrongOptionsAreRefused)
+TEST_P(ReliefNullCases, WrongOptionsAreRefused)
 {
   MesoMesostructureOptions options = this->Relief->GetOptions();
   options.Scale = -1.;
@@ -195,3 +193,5 @@ TEST_F(ReliefNullCases, WrongOptionsAreRefused)
   options.Effects.Named = { MesoEffect::Shading };
   this->Plain->SetOptions(options);
 }
+
+MESO_FOR_RELIEF_TECHNIQUES(ReliefNullCases);

@@ -57,7 +57,7 @@ protected:
 };
 }
 
-TEST_F(ReliefHardFrames, Charts)
+TEST_P(ReliefHardFrames, Charts)
 {
   const std::function<std::array<double, 2>(double, double)> charts[] = {
     [](double u, double v) -> std::array<double, 2> {
@@ -81,17 +81,17 @@ TEST_F(ReliefHardFrames, Charts)
   };
   for (const auto& chart : charts)
   {
-    this->Mapper->SetInputData(Plane(chart, SamePlace));
+    this->Use(Plane(chart, SamePlace));
     EXPECT_GT(this->Check(), 3000);
   }
 }
 
-TEST_F(ReliefHardFrames, MirroredChartShowsTheMirroredRelief)
+TEST_P(ReliefHardFrames, MirroredChartShowsTheMirroredRelief)
 {
   // The same relief lies on the plane when chart and map are both mirrored.
   this->Mapper->SetHeightMap(MesoTestScene::Pattern("step"));
   this->Mapper->SetTiles(1., 1.);
-  this->Mapper->SetInputData(Plane(SameUV, SamePlace));
+  this->Use(Plane(SameUV, SamePlace));
   this->Check();
   const auto depth = this->Pass->GetChannel("depth");
   const auto normal = this->Pass->GetChannel("normal.x");
@@ -102,7 +102,7 @@ TEST_F(ReliefHardFrames, MirroredChartShowsTheMirroredRelief)
     std::reverse(value + 64 * row, value + 64 * (row + 1));
   }
   this->Mapper->SetHeightMap(map);
-  this->Mapper->SetInputData(Plane(
+  this->Use(Plane(
     [](double u, double v) -> std::array<double, 2> {
       return { 1. - u, v };
     },
@@ -121,9 +121,9 @@ TEST_F(ReliefHardFrames, MirroredChartShowsTheMirroredRelief)
   EXPECT_LT(different, 96 * 96 / 500);
 }
 
-TEST_F(ReliefHardFrames, Matrices)
+TEST_P(ReliefHardFrames, Matrices)
 {
-  this->Mapper->SetInputData(MesoTestScene::Shape("torus"));
+  this->Use(MesoTestScene::Shape("torus"));
   this->Scene.LookFrom(0., 2., 5.);
   const double matrices[][16] = {
     { -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },    // mirrored
@@ -140,14 +140,14 @@ TEST_F(ReliefHardFrames, Matrices)
   }
 }
 
-TEST_F(ReliefHardFrames, SizeAndPlaceOfTheModelDoNotMatter)
+TEST_P(ReliefHardFrames, SizeAndPlaceOfTheModelDoNotMatter)
 {
-  this->Mapper->SetInputData(Plane(SameUV, SamePlace));
+  this->Use(Plane(SameUV, SamePlace));
   this->Check();
   const auto relief = this->Pass->GetChannel("relief");
   for (const double size : { 1e-6, 1e-3, 1e3, 1e6 })
   {
-    this->Mapper->SetInputData(Plane(SameUV,
+    this->Use(Plane(SameUV,
       [&](const double* p) -> std::array<double, 3> {
         return { size * p[0], size * p[1], size * p[2] };
       }));
@@ -167,12 +167,12 @@ TEST_F(ReliefHardFrames, SizeAndPlaceOfTheModelDoNotMatter)
   }
 }
 
-TEST_F(ReliefHardFrames, AMillionAwayFromTheOrigin)
+TEST_P(ReliefHardFrames, AMillionAwayFromTheOrigin)
 {
-  this->Mapper->SetInputData(Plane(SameUV, SamePlace));
+  this->Use(Plane(SameUV, SamePlace));
   this->Check();
   const auto relief = this->Pass->GetChannel("relief");
-  this->Mapper->SetInputData(Plane(SameUV,
+  this->Use(Plane(SameUV,
     [](const double* p) -> std::array<double, 3> {
       return { p[0] + 1e6, p[1] - 1e6, p[2] + 1e6 };
     }));
@@ -189,3 +189,5 @@ TEST_F(ReliefHardFrames, AMillionAwayFromTheOrigin)
   }
   EXPECT_LT(different, 96 * 96 / 50);
 }
+
+MESO_FOR_RELIEF_TECHNIQUES(ReliefHardFrames);

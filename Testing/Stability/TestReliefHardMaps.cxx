@@ -28,7 +28,7 @@ vtkSmartPointer<vtkImageData> Map(
 class ReliefHardMaps : public MesoReliefAOVs
 {
 protected:
-  void SetUp() override { this->Mapper->SetInputData(MesoTestScene::Shape("plane")); }
+  void SetUp() override { this->Use(MesoTestScene::Shape("plane")); }
 
   int Check(vtkImageData* map)
   {
@@ -53,26 +53,26 @@ protected:
 };
 }
 
-TEST_F(ReliefHardMaps, HighEverywhere)
+TEST_P(ReliefHardMaps, HighEverywhere)
 {
   EXPECT_GT(this->Check(Map(8, 8, [](int, int) { return 1.f; })), 3000);
   EXPECT_EQ(this->ReliefRange(), (std::pair<float, float>(0.f, 0.f)));
 }
 
-TEST_F(ReliefHardMaps, LowEverywhere)
+TEST_P(ReliefHardMaps, LowEverywhere)
 {
   EXPECT_GT(this->Check(Map(8, 8, [](int, int) { return 0.f; })), 3000);
   EXPECT_EQ(this->ReliefRange(), (std::pair<float, float>(1.f, 1.f)));
 }
 
-TEST_F(ReliefHardMaps, OneTexel)
+TEST_P(ReliefHardMaps, OneTexel)
 {
   this->Check(Map(1, 1, [](int, int) { return 0.25f; }));
   EXPECT_NEAR(this->ReliefRange().first, 0.75, 1e-6);
   EXPECT_NEAR(this->ReliefRange().second, 0.75, 1e-6);
 }
 
-TEST_F(ReliefHardMaps, OneRowAndOneColumn)
+TEST_P(ReliefHardMaps, OneRowAndOneColumn)
 {
   this->Check(Map(7, 1, [](int column, int) { return column % 2 ? 1.f : 0.f; }));
   EXPECT_LT(this->ReliefRange().first, 0.2);
@@ -80,7 +80,7 @@ TEST_F(ReliefHardMaps, OneRowAndOneColumn)
   EXPECT_LT(this->ReliefRange().first, 0.2);
 }
 
-TEST_F(ReliefHardMaps, SpikeAndSlot)
+TEST_P(ReliefHardMaps, SpikeAndSlot)
 {
   this->Check(
     Map(33, 17, [](int column, int row) { return column == 16 && row == 8 ? 1.f : 0.f; }));
@@ -90,7 +90,7 @@ TEST_F(ReliefHardMaps, SpikeAndSlot)
   EXPECT_GT(this->ReliefRange().second, 0.3) << "the slot is not seen";
 }
 
-TEST_F(ReliefHardMaps, CheckerboardInEveryWrap)
+TEST_P(ReliefHardMaps, CheckerboardInEveryWrap)
 {
   MesoMesostructureOptions options = this->Mapper->GetOptions();
   options.Tiles = { 2.5, 2.5 };
@@ -104,7 +104,7 @@ TEST_F(ReliefHardMaps, CheckerboardInEveryWrap)
   }
 }
 
-TEST_F(ReliefHardMaps, TinyAndHugeScale)
+TEST_P(ReliefHardMaps, TinyAndHugeScale)
 {
   const auto map = MesoTestScene::Pattern("noise");
   for (double scale : { 1e-30, 1e-12, 1e-6, 10., 1e6, 1e12, 1e30 })
@@ -114,14 +114,14 @@ TEST_F(ReliefHardMaps, TinyAndHugeScale)
   }
 }
 
-TEST_F(ReliefHardMaps, TenThousandTiles)
+TEST_P(ReliefHardMaps, TenThousandTiles)
 {
   this->Mapper->SetTiles(1e4, 1e4);
   this->Mapper->SetScale(1e-5);
   EXPECT_GT(this->Check(MesoTestScene::Pattern("brick")), 3000);
 }
 
-TEST_F(ReliefHardMaps, WrongMapsAreRefusedAndTheBaseIsDrawn)
+TEST_P(ReliefHardMaps, WrongMapsAreRefusedAndTheBaseIsDrawn)
 {
   vtkNew<vtkImageData> colour;
   colour->SetDimensions(4, 4, 1);
@@ -130,3 +130,5 @@ TEST_F(ReliefHardMaps, WrongMapsAreRefusedAndTheBaseIsDrawn)
   EXPECT_GT(this->Check(colour), 3000);
   EXPECT_EQ(this->ReliefRange().second, 0.f);
 }
+
+MESO_FOR_RELIEF_TECHNIQUES(ReliefHardMaps);

@@ -2,9 +2,7 @@
 // shifting texture coordinates by whole tiles, drawing twice.
 
 #include "MesoBaseline.h"
-#include "MesoTestScene.h"
-
-#include "vtkMesoReliefMapper.h"
+#include "MesoReliefTechniques.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -14,7 +12,7 @@
 
 namespace
 {
-class ReliefInvariance : public testing::Test
+class ReliefInvariance : public testing::TestWithParam<MesoTechnique>
 {
 protected:
   MesoTestScene Scene{ 128, 128 };
@@ -23,7 +21,7 @@ protected:
   void SetUp() override
   {
     this->Mapper->SetHeightMap(MesoTestScene::Pattern("brick"));
-    this->Mapper->SetInputData(MesoTestScene::Shape("torus"));
+    MesoUse(this->Mapper, this->GetParam(), MesoTestScene::Shape("torus"));
     this->Mapper->SetScale(0.08);
     this->Mapper->SetTiles(6., 3.);
     this->Scene.Actor->SetMapper(this->Mapper);
@@ -62,14 +60,14 @@ protected:
 };
 }
 
-TEST_F(ReliefInvariance, TwiceIsTheSame)
+TEST_P(ReliefInvariance, TwiceIsTheSame)
 {
   const auto first = MesoGrabWindow(this->Scene.Window);
   const auto second = MesoGrabWindow(this->Scene.Window);
   EXPECT_TRUE(MesoCompareImages(second, first, MesoImageLimits::Exact()).Within);
 }
 
-TEST_F(ReliefInvariance, RigidMotion)
+TEST_P(ReliefInvariance, RigidMotion)
 {
   const auto still = MesoGrabWindow(this->Scene.Window);
   vtkNew<vtkTransform> motion;
@@ -78,7 +76,7 @@ TEST_F(ReliefInvariance, RigidMotion)
   ExpectSame(this->Moved(motion), still, "moved and turned");
 }
 
-TEST_F(ReliefInvariance, UniformScale)
+TEST_P(ReliefInvariance, UniformScale)
 {
   const auto still = MesoGrabWindow(this->Scene.Window);
   for (double size : { 1e-4, 1e4 })
@@ -89,7 +87,7 @@ TEST_F(ReliefInvariance, UniformScale)
   }
 }
 
-TEST_F(ReliefInvariance, WholeTiles)
+TEST_P(ReliefInvariance, WholeTiles)
 {
   const auto still = MesoGrabWindow(this->Scene.Window);
   vtkDataArray* coordinates = this->Mapper->GetInput()->GetPointData()->GetTCoords();
@@ -102,3 +100,5 @@ TEST_F(ReliefInvariance, WholeTiles)
   this->Mapper->GetInput()->Modified();
   ExpectSame(MesoGrabWindow(this->Scene.Window), still, "shifted by whole tiles");
 }
+
+MESO_FOR_RELIEF_TECHNIQUES(ReliefInvariance);

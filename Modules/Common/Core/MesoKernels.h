@@ -10,7 +10,11 @@
  *     solveFrame
  *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
  *     a height map (constructed as MesoHeightTexture) with wrapTexel, bilinearHeight,
- *     heightGradient, patchGradient, searchLinearBinary, occludedLinear, and struct HeightHit
+ *     heightGradient, patchGradient, searchLinearBinary, occludedLinear, and the structs HeightPath
+ *     (made by straightPath and bentPath) and HeightHit
+ *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
+ *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
+ *     quadricNormal, quadricNormalDerivative, displacedCross
  *
  *   MesoKernels::Double::HeightField field(2, 1, MesoWrap::Repeat, { 0.f, 1.f });
  *   double height = field.bilinearHeight({ 0.5, 0.5 });
@@ -116,6 +120,12 @@ public:
 #include "MesoFrameFloat.h"
 };
 
+class Quadric
+{
+public:
+#include "MesoQuadricFloat.h"
+};
+
 class HeightField : public MesoHeightTexture<float>
 {
 public:
@@ -134,6 +144,12 @@ class Frame
 {
 public:
 #include "MesoFrameDouble.h"
+};
+
+class Quadric
+{
+public:
+#include "MesoQuadricDouble.h"
 };
 
 class HeightField : public MesoHeightTexture<double>

@@ -10,14 +10,18 @@ struct Entry
 };
 
 constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" },
-  { MesoTechnique::Relief, "relief" }, { MesoTechnique::Tessellated, "tessellated" } };
+  { MesoTechnique::Relief, "relief" }, { MesoTechnique::ReliefQuadric, "relief-quadric" },
+  { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" } };
 constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap::Clamp, "clamp" },
   { MesoWrap::Mirror, "mirror" } };
 constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" },
   { MesoEffect::Occlusion, "occlusion" }, { MesoEffect::SelfShadow, "self_shadow" },
-  { MesoEffect::Depth, "depth" }, { MesoEffect::Silhouette, "silhouette" } };
+  { MesoEffect::Depth, "depth" }, { MesoEffect::Silhouette, "silhouette" },
+  { MesoEffect::Curvature, "curvature" } };
+constexpr Entry<MesoQuadricKind> QuadricKinds[] = { { MesoQuadricKind::Full, "full" },
+  { MesoQuadricKind::Diagonal, "diagonal" } };
 
 template <typename T, std::size_t N>
 const char* NameOf(const Entry<T> (&table)[N], T value)
@@ -77,6 +81,11 @@ const char* MesoName(MesoEffect value)
   return NameOf(EffectTable, value);
 }
 
+const char* MesoName(MesoQuadricKind value)
+{
+  return NameOf(QuadricKinds, value);
+}
+
 std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name)
 {
   return FromName(Techniques, name);
@@ -97,6 +106,11 @@ std::optional<MesoEffect> MesoEffectFromName(const std::string& name)
   return FromName(EffectTable, name);
 }
 
+std::optional<MesoQuadricKind> MesoQuadricKindFromName(const std::string& name)
+{
+  return FromName(QuadricKinds, name);
+}
+
 std::vector<std::string> MesoTechniqueNames()
 {
   return AllNames(Techniques);
@@ -115,6 +129,11 @@ std::vector<std::string> MesoWrapNames()
 std::vector<std::string> MesoEffectNames()
 {
   return AllNames(EffectTable);
+}
+
+std::vector<std::string> MesoQuadricKindNames()
+{
+  return AllNames(QuadricKinds);
 }
 
 MesoEffects::MesoEffects(std::initializer_list<MesoEffect> effects)
@@ -167,6 +186,11 @@ MesoSearchSteps MesoStepsOfQuality(MesoQuality quality)
   return { 64, 7 };
 }
 
+bool MesoUsesHeightMap(MesoTechnique technique)
+{
+  return technique != MesoTechnique::Plain;
+}
+
 double MesoFacetsPerTexel(MesoQuality quality)
 {
   switch (quality)
@@ -192,6 +216,9 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::Relief:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth };
+    case MesoTechnique::ReliefQuadric:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
+        MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature };
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
         MesoEffect::Silhouette };

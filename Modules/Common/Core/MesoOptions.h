@@ -19,9 +19,10 @@
 
 enum class MesoTechnique
 {
-  Plain,      ///< the base mesh, shaded
-  Relief,     ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
-  Tessellated ///< the mesh, diced and displaced: ordinary triangles
+  Plain,         ///< the base mesh, shaded
+  Relief,        ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
+  ReliefQuadric, ///< over a quadric at each vertex, with outlines (Oliveira2005, section 3.2)
+  Tessellated    ///< the mesh, diced and displaced: ordinary triangles
 };
 
 /// How finely a technique searches or dices; see MesoStepsOfQuality() and MesoFacetsPerTexel().
@@ -41,6 +42,13 @@ enum class MesoWrap
   Mirror
 };
 
+/// The quadric z = a x^2 + b y^2 + c x y that `relief-quadric` bends its relief over.
+enum class MesoQuadricKind
+{
+  Full,    ///< all three coefficients
+  Diagonal ///< c = 0, fitted to one ring by the normal equations, as in Oliveira2005
+};
+
 /// What a technique can show. A set of them is a MesoEffects.
 enum class MesoEffect : std::uint32_t
 {
@@ -49,6 +57,7 @@ enum class MesoEffect : std::uint32_t
   SelfShadow = 1u << 2, ///< detail shades detail, for each light
   Depth = 1u << 3,      ///< the depth buffer is that of the detail
   Silhouette = 1u << 4, ///< the outline shows the detail
+  Curvature = 1u << 5   ///< the ray is bent with the surface
 };
 
 /// A set of effects.
@@ -85,10 +94,13 @@ MESOCOMMONCORE_EXPORT const char* MesoName(MesoTechnique value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoQuality value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoWrap value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoEffect value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoQuadricKind value);
 MESOCOMMONCORE_EXPORT std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoQuality> MesoQualityFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoWrap> MesoWrapFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoEffect> MesoEffectFromName(const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoQuadricKind> MesoQuadricKindFromName(
+  const std::string& name);
 ///@}
 
 ///@{
@@ -97,10 +109,14 @@ MESOCOMMONCORE_EXPORT std::vector<std::string> MesoTechniqueNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoQualityNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoWrapNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoEffectNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoQuadricKindNames();
 ///@}
 
 /// Steps of linear and binary search of a quality.
 MESOCOMMONCORE_EXPORT MesoSearchSteps MesoStepsOfQuality(MesoQuality quality);
+
+/// Whether a technique draws a height map; the others have no use for one.
+MESOCOMMONCORE_EXPORT bool MesoUsesHeightMap(MesoTechnique technique);
 
 /// Facets along a texel's side, for techniques that dice: 1/4, 1/2, 1, 2.
 MESOCOMMONCORE_EXPORT double MesoFacetsPerTexel(MesoQuality quality);
@@ -126,6 +142,7 @@ struct MesoMesostructureOptions
   double Scale = 0.0;                       ///< D: depth of the deepest point, object units, >= 0
   std::array<double, 2> Tiles = { 1., 1. }; ///< map coordinate = texture coordinate x Tiles
   MesoWrap Wrap = MesoWrap::Repeat;
+  MesoQuadricKind Quadric = MesoQuadricKind::Full; ///< for the techniques that bend their relief
 };
 
 /// The effects that are on: what is chosen, where "auto" means what the technique provides.

@@ -245,6 +245,12 @@ MesoSceneNode ReadNode(const MesoSceneValue& value)
     [&](const MesoSceneValue& material) { node.Material = MesoReadSceneMaterial(material); });
   value.With("mesostructure",
     [&](const MesoSceneValue& options) { MesoReadSceneMesostructure(options, node); });
+  if (node.Material.ColorBy && node.Material.ColorBy->IsHeight() && !node.Map)
+  {
+    value.At("material")
+      .At("color_by")
+      .Fail("height is that of a height_map or a depth_map, and the node has none");
+  }
   value.With("children",
     [&](const MesoSceneValue& children)
     {

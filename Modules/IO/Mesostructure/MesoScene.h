@@ -62,10 +62,22 @@ struct MesoSceneLight
   bool InCameraCoordinates = false;
 };
 
+/// What gives a surface its colour in place of the material's.
+struct MesoSceneColorBy
+{
+  std::string Array; ///< name of a point array, or "height": that of the relief where it is seen
+  std::optional<int> Component; ///< without one: the magnitude of the tuple
+  std::string LookupTable;      ///< "viridis", "coolwarm", "grey", or empty: what suits the array
+  std::optional<std::array<double, 2>> Range; ///< default: what suits the array
+
+  bool IsHeight() const { return this->Array == "height"; }
+};
+
 struct MesoSceneMaterial
 {
   MesoVector3 Color = { 1., 1., 1. };
   std::string ColorMap; ///< resolved file name, or empty
+  std::optional<MesoSceneColorBy> ColorBy;
   double Ambient = 0.;
   double Diffuse = 1.;
   double Specular = 0.;

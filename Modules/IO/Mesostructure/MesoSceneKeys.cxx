@@ -25,14 +25,15 @@ std::vector<MesoSceneKeyGroup> MakeTable()
       { "name", "transform", "children", "mesh", "feature_angle", "material", "mesostructure" },
       {} },
     { "material",
-      { "color", "color_map", "ambient", "diffuse", "specular", "specular_power", "opacity",
-        "two_sided", "edges" },
-      { "normal_map", "normal_map_y", "color_by", "lookup_table" } },
+      { "color", "color_map", "color_by", "lookup_table", "ambient", "diffuse", "specular",
+        "specular_power", "opacity", "two_sided", "edges" },
+      { "normal_map", "normal_map_y" } },
+    { "lookup_table", { "name", "range" }, {} },
     { "mesostructure",
       { "technique", "height_map", "depth_map", "range", "sample_spacing", "scale", "tiles", "wrap",
-        "quality", "effects" },
-      { "relief_map", "volume", "tile_mesh", "baked", "reference", "search", "quadric", "curved",
-        "rank", "segments" } },
+        "quality", "quadric", "effects" },
+      { "relief_map", "volume", "tile_mesh", "baked", "reference", "search", "curved", "rank",
+        "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
   {

@@ -15,8 +15,9 @@
 /// The keys of one kind of object.
 struct MesoSceneKeyGroup
 {
-  /// "scene", "camera", "light", "transform", "node", "material", "mesostructure",
-  /// "shape_<name>" and "pattern_<name>"; the JSON Schema defines each under the same name.
+  /// "scene", "camera", "light", "transform", "node", "material", "lookup_table",
+  /// "mesostructure", "shape_<name>" and "pattern_<name>"; the JSON Schema defines each under the
+  /// same name.
   std::string Object;
   std::vector<std::string> Served; ///< read and used
   std::vector<std::string> Later;  ///< part of the format, refused as not available yet

@@ -1,5 +1,6 @@
 #include "MesoSceneSurface.h"
 
+#include "MesoColorMap.h"
 #include "MesoPattern.h"
 #include "MesoShape.h"
 
@@ -10,8 +11,8 @@ namespace
 const std::vector<std::string> LaterShapes = { "cube", "cone", "vase", "teapot", "undulating",
   "branch" };
 const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-object", "parallax",
-  "horizon", "displacement", "geometry-image", "relief-quadric", "relief-quadric-exact", "vdm",
-  "gdm", "slices", "shell-sdf" };
+  "horizon", "displacement", "geometry-image", "relief-quadric-exact", "vdm", "gdm", "slices",
+  "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "certified", "full" };
 
 /// A word of a list, for ToChoice.
@@ -92,6 +93,51 @@ MesoSceneMap ReadMap(const MesoSceneValue& value)
   return map;
 }
 
+/// "NAME" or "NAME[component]".
+MesoSceneColorBy ReadColorBy(const MesoSceneValue& value)
+{
+  const std::string text = value.ToText();
+  MesoSceneColorBy colorBy;
+  colorBy.Array = text;
+  if (text.back() == ']')
+  {
+    constexpr std::size_t mostDigits = 4;
+    const std::size_t bracket = text.rfind('[');
+    const std::string digits =
+      bracket == std::string::npos ? "" : text.substr(bracket + 1, text.size() - bracket - 2);
+    if (bracket == 0 || digits.empty() || digits.size() > mostDigits ||
+      digits.find_first_not_of("0123456789") != std::string::npos)
+    {
+      value.Fail(
+        "must be the name of a point array, or NAME[i] with a component's number i from 0 on");
+    }
+    colorBy.Array = text.substr(0, bracket);
+    colorBy.Component = std::stoi(digits);
+  }
+  if (colorBy.IsHeight() && colorBy.Component)
+  {
+    value.Fail("height has no components");
+  }
+  return colorBy;
+}
+
+void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
+{
+  value.CheckKeys("lookup_table");
+  value.With("name",
+    [&](const MesoSceneValue& name)
+    { colorBy.LookupTable = ReadName(name, "lookup table", MesoColorMapNames(), {}); });
+  value.With("range",
+    [&](const MesoSceneValue& range)
+    {
+      colorBy.Range = range.ToNumbers<2>();
+      if (!((*colorBy.Range)[0] < (*colorBy.Range)[1]))
+      {
+        range.Fail("the first number must be less than the second");
+      }
+    });
+}
+
 MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique technique)
 {
   const MesoEffects provided = MesoEffectsOfTechnique(technique);
@@ -165,6 +211,17 @@ MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value)
     { material.Color = color.ToNumbers<3>(MesoSceneRanges::Fraction); });
   value.With(
     "color_map", [&](const MesoSceneValue& name) { material.ColorMap = name.ToFileName(); });
+  if (value.Has("color_by"))
+  {
+    value.Refuse({ "color_map" }, "there is a color_by already; only one of them gives the color");
+    material.ColorBy = ReadColorBy(value.At("color_by"));
+    value.With("lookup_table",
+      [&](const MesoSceneValue& table) { ReadLookupTable(table, *material.ColorBy); });
+  }
+  else
+  {
+    value.Refuse({ "lookup_table" }, "there is no color_by that it is of");
+  }
   fraction("ambient", material.Ambient);
   fraction("diffuse", material.Diffuse);
   fraction("specular", material.Specular);
@@ -189,10 +246,11 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       options.Technique = name.ToChoice<MesoTechnique>(
         "technique", &MesoTechniqueFromName, MesoTechniqueNames(), LaterTechniques);
     });
+  const std::string name = MesoName(options.Technique);
   value.With("quality",
-    [&](const MesoSceneValue& name)
+    [&](const MesoSceneValue& quality)
     {
-      options.Quality = name.ToChoice<MesoQuality>(
+      options.Quality = quality.ToChoice<MesoQuality>(
         "quality", &MesoQualityFromName, MesoQualityNames(), LaterQualities);
     });
   value.With("wrap",
@@ -204,6 +262,16 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("tiles",
     [&](const MesoSceneValue& tiles)
     { options.Tiles = tiles.ToNumbers<2>(MesoSceneRanges::Positive); });
+  value.With("quadric",
+    [&](const MesoSceneValue& kind)
+    {
+      if (options.Technique != MesoTechnique::ReliefQuadric)
+      {
+        kind.Fail("technique " + name + " has no quadric");
+      }
+      options.Quadric =
+        kind.ToChoice<MesoQuadricKind>("quadric", &MesoQuadricKindFromName, MesoQuadricKindNames());
+    });
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });
@@ -224,15 +292,16 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   {
     value.Refuse(
       { "range", "sample_spacing" }, "there is no height_map or depth_map that it is of");
-    if (options.Technique != MesoTechnique::Plain)
+    if (MesoUsesHeightMap(options.Technique))
     {
-      value.Fail(technique + " needs a height_map or a depth_map");
+      value.Fail("technique " + name + " needs a height_map or a depth_map");
     }
     return;
   }
-  if (options.Technique != MesoTechnique::Plain && !value.Has("scale"))
+  if (MesoUsesHeightMap(options.Technique) && !value.Has("scale"))
   {
-    value.Fail(technique + " needs scale, the depth of its deepest point in object units");
+    value.Fail(
+      "technique " + name + " needs scale, the depth of its deepest point in object units");
   }
   value.With("range",
     [&](const MesoSceneValue& range)

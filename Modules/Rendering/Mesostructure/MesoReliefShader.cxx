@@ -28,15 +28,33 @@ MesoShaderShape MesoReliefShader::GetShape() const
   shape.Traces = true;
   shape.UsesFrame = true;
   shape.WritesDepth = effects.Has(MesoEffect::Depth);
+  shape.Attributes = { { "mesoTangent", "MesoTangent" }, { "mesoBitangent", "MesoBitangent" },
+    { "mesoTileScale", "MesoTileScale" } };
   shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-    "Kernels/LinearBinarySearch.glsl", "Techniques/Relief.glsl" };
+    "Kernels/LinearBinarySearch.glsl", "Common/ReliefSurface.glsl" };
   const MesoSearchSteps steps = MesoStepsOfQuality(this->Options.Quality);
   shape.Defines = { { "MESO_LINEAR_STEPS", std::to_string(steps.Linear) },
     { "MESO_BINARY_STEPS", std::to_string(steps.Binary) },
     { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) } };
+  if (this->Options.Technique == MesoTechnique::ReliefQuadric)
+  {
+    shape.Chunks.insert(
+      shape.Chunks.end(), { "Kernels/Quadric.glsl", "Techniques/ReliefQuadric.glsl" });
+    shape.Defines.emplace_back("MESO_QUADRIC", "");
+    if (effects.Has(MesoEffect::Curvature))
+    {
+      shape.VertexChunks = { "Kernels/Quadric.glsl" };
+      shape.Attributes.emplace_back("mesoQuadric", "MesoQuadric");
+    }
+  }
+  else
+  {
+    shape.Chunks.emplace_back("Techniques/Relief.glsl");
+  }
   const std::pair<MesoEffect, const char*> names[] = { { MesoEffect::Shading, "MESO_SHADING" },
     { MesoEffect::Occlusion, "MESO_OCCLUSION" }, { MesoEffect::SelfShadow, "MESO_SELF_SHADOW" },
-    { MesoEffect::Depth, "MESO_DEPTH" } };
+    { MesoEffect::Depth, "MESO_DEPTH" }, { MesoEffect::Silhouette, "MESO_SILHOUETTE" },
+    { MesoEffect::Curvature, "MESO_CURVATURE" } };
   for (const auto& name : names)
   {
     if (effects.Has(name.first))

@@ -11,10 +11,12 @@ class vtkTextureObject;
 
 /**
  * @class MesoReliefShader
- * @brief The technique `relief`: a height field searched along the ray in the tangent plane.
+ * @brief The techniques `relief` and `relief-quadric`: a height field searched along the ray, in the
+ * tangent plane or over the quadric.
  *
  * Holds the height map as a single-channel float texture, which keeps 16-bit and float heights
- * exactly. See Shaders/Techniques/Relief.glsl.
+ * exactly. The options say which of the two it is. See Shaders/Techniques/Relief.glsl and
+ * ReliefQuadric.glsl.
  */
 class MESORENDERINGMESOSTRUCTURE_EXPORT MesoReliefShader : public MesoTechniqueShader
 {

@@ -1,8 +1,9 @@
 #include "MesoSceneBuilder.h"
 
+#include "MesoAlgorithmRun.h"
 #include "MesoHeightMap.h"
+#include "MesoSurfaceColors.h"
 #include "vtkActor.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -12,6 +13,7 @@
 #include "vtkMesoImageReader.h"
 #include "vtkMesoMeshReader.h"
 #include "vtkMesoPatternSource.h"
+#include "vtkMesoQuadricFit.h"
 #include "vtkMesoReliefMapper.h"
 #include "vtkMesoShapeSource.h"
 #include "vtkMesoSurfaceFrames.h"
@@ -29,64 +31,6 @@
 
 namespace
 {
-/// Collects what an algorithm says by its error and warning events.
-class Listener
-{
-public:
-  explicit Listener(vtkObject* object)
-    : Object(object)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long event, void* self, void* text)
-      {
-        auto* listener = static_cast<Listener*>(self);
-        (event == vtkCommand::ErrorEvent ? listener->Errors : listener->Warnings)
-          .push_back(Listener::Message(static_cast<const char*>(text)));
-      });
-    object->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    object->AddObserver(vtkCommand::WarningEvent, this->Command);
-  }
-  ~Listener() { this->Object->RemoveObserver(this->Command); }
-  Listener(const Listener&) = delete;
-  void operator=(const Listener&) = delete;
-
-  std::vector<std::string> Errors;
-  std::vector<std::string> Warnings;
-
-private:
-  /// VTK's text without the place in the source before it and the blank lines after it.
-  static std::string Message(const char* text)
-  {
-    std::string message = text ? text : "unknown error";
-    const std::size_t name = message.find("): ");
-    if (name != std::string::npos)
-    {
-      message = message.substr(name + 3);
-    }
-    message.erase(message.find_last_not_of(" \n\r\t") + 1);
-    return message;
-  }
-
-  vtkObject* Object;
-  vtkNew<vtkCallbackCommand> Command;
-};
-
-/// Update an algorithm; its errors become exceptions, its warnings are kept.
-void Run(vtkAlgorithm* algorithm, const std::string& place, std::vector<std::string>& warnings)
-{
-  Listener listener(algorithm);
-  algorithm->Update();
-  if (!listener.Errors.empty())
-  {
-    throw MesoInputError(place + ": " + listener.Errors.front());
-  }
-  for (const std::string& warning : listener.Warnings)
-  {
-    warnings.push_back(place + ": " + warning);
-  }
-}
-
 void SetMaterial(const MesoSceneMaterial& material, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
@@ -128,7 +72,7 @@ void SetColorMap(const std::string& fileName, const MesoMesostructureOptions& op
 {
   vtkNew<vtkMesoImageReader> reader;
   reader->SetFileName(fileName.c_str());
-  Run(reader, place, warnings);
+  MesoRunAlgorithm(reader, place, warnings);
   vtkNew<vtkTexture> texture;
   texture->SetInputData(WithoutAlpha(reader->GetOutput()));
   texture->SetColorModeToDirectScalars();
@@ -245,14 +189,14 @@ vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeHeightMap(
     {
       source->SetParameter(parameter.first, parameter.second);
     }
-    Run(source, place, this->Warnings);
+    MesoRunAlgorithm(source, place, this->Warnings);
     stored = source->GetOutput();
   }
   else
   {
     vtkNew<vtkMesoImageReader> reader;
     reader->SetFileName(map.File.c_str());
-    Run(reader, place, this->Warnings);
+    MesoRunAlgorithm(reader, place, this->Warnings);
     stored = reader->GetOutput();
   }
   try
@@ -298,12 +242,12 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
       this->Warnings.push_back(
         place + ": feature_angle is for mesh files; a built-in shape has normals of its own");
     }
-    Run(source, place, this->Warnings);
+    MesoRunAlgorithm(source, place, this->Warnings);
     return source->GetOutput();
   }
   vtkNew<vtkMesoMeshReader> reader;
   reader->SetFileName(mesh.File.c_str());
-  Run(reader, place, this->Warnings);
+  MesoRunAlgorithm(reader, place, this->Warnings);
   if (!reader->GetOutput()->GetPointData()->GetTCoords() && !needsFrames)
   {
     // No frame without texture coordinates; the points are not split, so VTK's normals serve.
@@ -313,7 +257,7 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
     normals->SetSplitting(mesh.FeatureAngle.has_value());
     normals->SetFeatureAngle(mesh.FeatureAngle.value_or(30.));
     const bool given = reader->GetOutput()->GetPointData()->GetNormals() != nullptr;
-    Run(given ? static_cast<vtkAlgorithm*>(reader) : normals, place, this->Warnings);
+    MesoRunAlgorithm(given ? static_cast<vtkAlgorithm*>(reader) : normals, place, this->Warnings);
     return given ? reader->GetOutput() : normals->GetOutput();
   }
   vtkNew<vtkMesoSurfaceFrames> frames;
@@ -323,8 +267,24 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
     frames->SplitNormalsOn();
     frames->SetFeatureAngle(*mesh.FeatureAngle);
   }
-  Run(frames, place, this->Warnings);
+  MesoRunAlgorithm(frames, place, this->Warnings);
   return frames->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
+  vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place)
+{
+  vtkNew<vtkMesoQuadricFit> fit;
+  fit->SetInputData(mesh);
+  if (kind == MesoQuadricKind::Diagonal)
+  {
+    fit->FullOff();
+    fit->SlopesOff();
+    fit->SetRings(1);
+    fit->NormalEquationsOn();
+  }
+  MesoRunAlgorithm(fit, place, this->Warnings);
+  return fit->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(const Object& object, const std::string& place)
@@ -350,7 +310,7 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(const Object& object, const 
   diced->SetWrap(object.Options.Wrap);
   diced->SetFacetsPerTexel(MesoFacetsPerTexel(object.Options.Quality));
   diced->SetDetailNormals(effects.Has(MesoEffect::Shading));
-  Run(diced, place, this->Warnings);
+  MesoRunAlgorithm(diced, place, this->Warnings);
   if (diced->GetNumberOfTornEdges() > 0)
   {
     std::ostringstream warning;
@@ -379,14 +339,25 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       object.HeightMap = this->MakeHeightMap(*node.Map, inScene + ".mesostructure");
     }
     object.Mesh = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
-      node.Mesostructure.Technique != MesoTechnique::Plain);
+      node.Mesostructure.Technique != MesoTechnique::Plain ||
+        (node.Material.ColorBy && MesoColorNeedsFrames(*node.Material.ColorBy)));
+    if (node.Material.ColorBy && !node.Material.ColorBy->IsHeight())
+    {
+      object.Mesh = MesoWithColorArray(
+        object.Mesh, *node.Material.ColorBy, inScene + ".material.color_by", this->Warnings);
+    }
     const MesoTechnique technique = node.Mesostructure.Technique;
-    if (technique != MesoTechnique::Plain && node.Mesostructure.Scale == 0.)
+    if (MesoUsesHeightMap(technique) && node.Mesostructure.Scale == 0.)
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
-    if (technique == MesoTechnique::Relief)
+    if (technique == MesoTechnique::Relief || technique == MesoTechnique::ReliefQuadric)
     {
+      if (MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Curvature))
+      {
+        object.Mesh =
+          this->WithQuadrics(object.Mesh, node.Mesostructure.Quadric, inScene + ".mesh");
+      }
       vtkNew<vtkMesoReliefMapper> relief;
       relief->SetHeightMap(object.HeightMap);
       object.Mapper = relief;
@@ -415,6 +386,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     object.Mapper->SetOptions(node.Mesostructure);
     object.Mapper->SetInputData(object.Mesh);
     object.Mapper->ScalarVisibilityOff();
+    if (node.Material.ColorBy)
+    {
+      MesoSetSurfaceColors(*node.Material.ColorBy, object.Mapper);
+    }
 
     object.Actor = vtkSmartPointer<vtkActor>::New();
     object.Actor->SetMapper(object.Mapper);

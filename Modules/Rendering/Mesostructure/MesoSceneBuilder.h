@@ -53,6 +53,8 @@ private:
   vtkSmartPointer<vtkImageData> MakeHeightMap(const MesoSceneMap& map, const std::string& place);
   vtkSmartPointer<vtkPolyData> MakeMesh(
     const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);
+  vtkSmartPointer<vtkPolyData> WithQuadrics(
+    vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
 
   /// The object's mesh as the technique tessellated draws it.
   vtkSmartPointer<vtkPolyData> Dice(const Object& object, const std::string& place);

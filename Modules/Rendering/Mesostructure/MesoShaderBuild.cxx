@@ -35,8 +35,13 @@ void Before(MesoShaderAssembler& shader, const char* hook, const std::string& ch
 
 void MesoShaderBuild::SpliceVertexShader(MesoShaderAssembler& vertex) const
 {
-  vertex.Before("//VTK::CustomUniforms::Dec", "definitions", this->Definitions);
-  Before(vertex, "//VTK::CustomUniforms::Dec", "Common/VertexDec.glsl");
+  const char* const declarations = "//VTK::CustomUniforms::Dec";
+  vertex.Before(declarations, "definitions", this->Definitions);
+  for (const std::string& chunk : this->VertexChunks)
+  {
+    Before(vertex, declarations, chunk);
+  }
+  Before(vertex, declarations, "Common/VertexDec.glsl");
   Before(vertex, "//VTK::CustomEnd::Impl", "Common/VertexImpl.glsl");
 }
 
@@ -67,6 +72,12 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
       Before(fragment, "//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl");
     }
     Before(fragment, "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl");
+  }
+  if (this->HeightColored)
+  {
+    Before(fragment, declarations, "Common/HeightColorDec.glsl");
+    fragment.After("//VTK::Color::Impl", "Common/HeightColorImpl.glsl",
+      MesoShaderText("Common/HeightColorImpl.glsl"));
   }
   if (this->WritesDepth)
   {

@@ -15,16 +15,18 @@ class MesoShaderAssembler;
  */
 struct MesoShaderBuild
 {
-  bool Surface = false;     ///< the contract of Shaders/Common/Surface.glsl is in the shader
-  bool Traces = false;      ///< the technique looks for a surface other than the base mesh
-  bool WritesDepth = false; ///< the depth buffer is that of the detail
-  bool Lit = false;         ///< VTK's normal and position are in the shader
-  bool OwnLighting = false; ///< Shaders/Common/Lighting.glsl in place of VTK's
-  bool Textured = false;    ///< colour textures are read where the ray hit
-  int LightComplexity = 0;  ///< VTK's: 0 none, 1 a headlight, 2 directional lights, 3 any
+  bool Surface = false;       ///< the contract of Shaders/Common/Surface.glsl is in the shader
+  bool Traces = false;        ///< the technique looks for a surface other than the base mesh
+  bool WritesDepth = false;   ///< the depth buffer is that of the detail
+  bool Lit = false;           ///< VTK's normal and position are in the shader
+  bool OwnLighting = false;   ///< Shaders/Common/Lighting.glsl in place of VTK's
+  bool Textured = false;      ///< colour textures are read where the ray hit
+  bool HeightColored = false; ///< the colour is that of the height where the ray hit
+  int LightComplexity = 0;    ///< VTK's: 0 none, 1 a headlight, 2 directional lights, 3 any
   int LightCount = 0;
-  std::vector<std::string> Chunks; ///< kernels and technique
-  std::string Definitions;         ///< `#define` lines; unequal ones ask for a new shader
+  std::vector<std::string> Chunks;       ///< kernels and technique
+  std::vector<std::string> VertexChunks; ///< kernels of the vertex stage
+  std::string Definitions;               ///< `#define` lines; unequal ones ask for a new shader
 
   void SpliceVertexShader(MesoShaderAssembler& vertex) const;
   void SpliceGeometryShader(MesoShaderAssembler& geometry) const;

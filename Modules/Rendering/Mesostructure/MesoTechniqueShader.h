@@ -17,6 +17,9 @@ struct MesoShaderShape
 {
   std::vector<std::string> Chunks; ///< names in Shaders/, kernels first, the technique last
   std::vector<std::pair<std::string, std::string>> Defines;
+  std::vector<std::string> VertexChunks; ///< the same for the vertex stage
+  /// Vertex attributes beside normals and texture coordinates, and the point arrays that hold them.
+  std::vector<std::pair<std::string, std::string>> Attributes;
   bool Traces = false;      ///< the technique looks for a surface other than the base mesh
   bool UsesFrame = false;   ///< it needs the tangent frame of the vertices
   bool WritesDepth = false; ///< the depth buffer is that of the detail
@@ -24,7 +27,8 @@ struct MesoShaderShape
 
   bool operator==(const MesoShaderShape& other) const
   {
-    return this->Chunks == other.Chunks && this->Defines == other.Defines &&
+    return this->Chunks == other.Chunks && this->VertexChunks == other.VertexChunks &&
+      this->Attributes == other.Attributes && this->Defines == other.Defines &&
       this->Traces == other.Traces && this->UsesFrame == other.UsesFrame &&
       this->WritesDepth == other.WritesDepth && this->Displaced == other.Displaced;
   }

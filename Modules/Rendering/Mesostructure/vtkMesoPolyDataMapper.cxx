@@ -2,6 +2,7 @@
 
 #include "vtkMesoPolyDataMapper.h"
 
+#include "MesoHeightColors.h"
 #include "MesoShaderAssembler.h"
 #include "MesoShaderBuild.h"
 #include "MesoShaderLibrary.h"
@@ -10,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkLightingMapPass.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
@@ -81,6 +83,7 @@ void DumpShader(const char* stage, const std::string& text)
 
 vtkMesoPolyDataMapper::vtkMesoPolyDataMapper()
   : Plain(std::make_unique<MesoTechniqueShader>())
+  , HeightColors(std::make_unique<MesoHeightColors>())
 {
 }
 
@@ -93,6 +96,7 @@ void vtkMesoPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tiles: " << this->Options.Tiles[0] << " " << this->Options.Tiles[1] << "\n";
   os << indent << "Wrap: " << MesoName(this->Options.Wrap) << "\n";
   os << indent << "Quality: " << MesoName(this->Options.Quality) << "\n";
+  os << indent << "HeightColors: " << this->GetHeightColors() << "\n";
   os << indent << "Effects:";
   for (const std::string& name : this->EffectsDrawn.Names())
   {
@@ -112,7 +116,8 @@ void vtkMesoPolyDataMapper::SetOptions(const MesoMesostructureOptions& options)
   }
   if (!options.Effects.Auto)
   {
-    const MesoEffects missing = options.Effects.Named.Without(this->GetEffectsProvided());
+    const MesoEffects missing =
+      options.Effects.Named.Without(MesoEffectsOfTechnique(this->TechniqueOf(options)));
     if (!missing.Empty())
     {
       vtkErrorMacro("The technique does not provide the effect " << missing.Names().front());
@@ -147,6 +152,25 @@ void vtkMesoPolyDataMapper::SetTiles(double u, double v)
   MesoMesostructureOptions options = this->Options;
   options.Tiles = { u, v };
   this->SetOptions(options);
+}
+
+MesoTechnique vtkMesoPolyDataMapper::TechniqueOf(const MesoMesostructureOptions&) const
+{
+  return MesoTechnique::Plain;
+}
+
+void vtkMesoPolyDataMapper::SetHeightColors(vtkLookupTable* table)
+{
+  if (table != this->HeightColors->GetTable())
+  {
+    this->HeightColors->SetTable(table);
+    this->Modified();
+  }
+}
+
+vtkLookupTable* vtkMesoPolyDataMapper::GetHeightColors() const
+{
+  return this->HeightColors->GetTable();
 }
 
 MesoTechniqueShader* vtkMesoPolyDataMapper::GetTechnique()
@@ -185,28 +209,31 @@ std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor
   {
     missing += " named texture coordinates (2 components)";
   }
-  for (const char* name : { "MesoTangent", "MesoBitangent", "MesoTileScale" })
+  for (const auto& attribute : shape.Attributes)
   {
-    if (shape.UsesFrame && !points->GetArray(name))
+    if (!points->GetArray(attribute.second.c_str()))
     {
-      missing += std::string(" ") + name;
+      missing += " " + attribute.second;
     }
   }
   if (!missing.empty())
   {
     return "The input lacks" + missing +
-      ": the base mesh is drawn. vtkMesoSurfaceFrames makes frames from texture coordinates.";
+      ": the base mesh is drawn. vtkMesoSurfaceFrames makes frames from texture coordinates, "
+      "vtkMesoQuadricFit quadrics.";
   }
   return {};
 }
 
-void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool aov)
+void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool numbers)
 {
-  if (!shape.Traces && !aov)
+  if (!shape.Traces && !numbers)
   {
-    for (const char* attribute : { "mesoTCoord", "mesoNormal", "mesoRelief" })
+    this->RemoveVertexAttributeMapping("mesoTCoord"); // left by AOVs
+    this->RemoveVertexAttributeMapping("mesoNormal");
+    for (const auto& attribute : shape.Attributes)
     {
-      this->RemoveVertexAttributeMapping(attribute); // left by AOVs
+      this->RemoveVertexAttributeMapping(attribute.first.c_str());
     }
     return;
   }
@@ -225,15 +252,9 @@ void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool aov
   };
   map("mesoTCoord", points->GetTCoords());
   map("mesoNormal", points->GetNormals());
-  if (shape.Displaced)
+  for (const auto& attribute : shape.Attributes)
   {
-    map("mesoRelief", points->GetArray("MesoRelief"));
-  }
-  if (shape.UsesFrame)
-  {
-    map("mesoTangent", points->GetArray("MesoTangent"));
-    map("mesoBitangent", points->GetArray("MesoBitangent"));
-    map("mesoTileScale", points->GetArray("MesoTileScale"));
+    map(attribute.first.c_str(), points->GetArray(attribute.second.c_str()));
   }
 }
 
@@ -257,8 +278,16 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   }
   this->EffectsDrawn = !this->WhyPlain.empty() || !(shape.Traces || shape.Displaced)
     ? MesoEffects()
-    : (this->Options.Effects.Auto ? this->GetEffectsProvided() : this->Options.Effects.Named);
-  this->MapAttributes(shape, InPass<vtkMesoAOVPass>(actor));
+    : (this->Options.Effects.Auto ? MesoEffectsOfTechnique(this->TechniqueOf(this->Options))
+                                  : this->Options.Effects.Named);
+  const std::string uncolored =
+    this->HeightColors->Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  this->HeightColorsReady = this->HeightColors->GetTable() && uncolored.empty();
+  if (!uncolored.empty())
+  {
+    this->WarnOnce(uncolored);
+  }
+  this->MapAttributes(shape, InPass<vtkMesoAOVPass>(actor) || this->HeightColorsReady);
   this->Superclass::RenderPieceStart(renderer, actor);
 }
 
@@ -266,11 +295,13 @@ void vtkMesoPolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* a
 {
   this->Superclass::RenderPieceFinish(renderer, actor);
   this->GetTechnique()->Deactivate();
+  this->HeightColors->Deactivate();
 }
 
 void vtkMesoPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->GetTechnique()->ReleaseGraphicsResources(window);
+  this->HeightColors->ReleaseGraphicsResources(window);
   this->BuiltKeys.clear();
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -291,13 +322,16 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
     cellBO.PrimitiveType == PrimitiveTris || cellBO.PrimitiveType == PrimitiveTriStrips;
   const MesoShaderShape shape =
     this->WhyPlain.empty() ? this->GetTechnique()->GetShape() : this->Plain->GetShape();
-  build.Surface = triangles && !this->PointPicking && (shape.Traces || aov) &&
-    points->GetNormals() && (points->GetTCoords() || !shape.Traces);
+  build.Surface = triangles && !this->PointPicking &&
+    (shape.Traces || aov || this->HeightColorsReady) && points->GetNormals() &&
+    (points->GetTCoords() || !shape.Traces);
+  build.HeightColored = build.Surface && this->HeightColorsReady;
   build.Chunks = shape.Chunks;
+  build.VertexChunks = shape.VertexChunks;
   build.Traces = build.Surface && shape.Traces;
   build.WritesDepth = build.Traces && shape.WritesDepth;
   build.Textured =
-    build.Traces && this->HaveTCoords(this->CurrentInput) && !this->GetTextures(actor).empty();
+    build.Traces && this->HaveTCoords(this->CurrentInput) && this->HasColorTextures(actor);
 
   std::vector<std::pair<std::string, std::string>> defines;
   const auto define = [&](const char* name, bool on)
@@ -309,6 +343,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   };
   define("MESO_SURFACE", build.Surface);
   define("MESO_AOV", aov && build.Surface);
+  define("MESO_HEIGHT_COLORS", build.HeightColored);
   define("MESO_LIT", build.Lit);
   define("MESO_LIGHTING", build.OwnLighting);
   define("MESO_HEADLIGHT", build.LightComplexity == 1);
@@ -339,6 +374,13 @@ bool vtkMesoPolyDataMapper::GetNeedToRebuildShaders(
   }
   built = wanted;
   return true;
+}
+
+bool vtkMesoPolyDataMapper::HasColorTextures(vtkActor* actor)
+{
+  const auto textures = this->GetTextures(actor);
+  return std::any_of(textures.begin(), textures.end(),
+    [](const auto& texture) { return texture.second != "colortexture"; }); // scalar colours
 }
 
 void vtkMesoPolyDataMapper::ReadTexturesAtHit(MesoShaderAssembler& fragment, vtkActor* actor)
@@ -461,6 +503,10 @@ void vtkMesoPolyDataMapper::SetMapperShaderParameters(
   {
     this->GetTechnique()->SetUniforms(cellBO.Program);
   }
+  if (this->HeightColorsReady)
+  {
+    this->HeightColors->SetUniforms(cellBO.Program);
+  }
 }
 
 void vtkMesoPolyDataMapper::SetCameraShaderParameters(
@@ -522,11 +568,16 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
 
 std::size_t vtkMesoPolyDataMapper::GetGPUBytes()
 {
-  std::size_t bytes = this->GetTechnique()->GetGPUBytes();
-  for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "mesoTCoord",
-         "mesoNormal", "mesoRelief", "mesoTangent", "mesoBitangent", "mesoTileScale" })
+  std::size_t bytes = this->GetTechnique()->GetGPUBytes() + this->HeightColors->GetGPUBytes();
+  std::vector<std::string> buffers = { "vertexMC", "normalMC", "scalarColor", "tcoord",
+    "mesoTCoord", "mesoNormal" };
+  for (const auto& attribute : this->GetTechnique()->GetShape().Attributes)
   {
-    if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name))
+    buffers.push_back(attribute.first);
+  }
+  for (const std::string& name : buffers)
+  {
+    if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name.c_str()))
     {
       bytes += std::size_t(buffer->GetNumberOfTuples()) * buffer->GetStride();
     }

@@ -43,10 +43,12 @@
 #include <memory>
 #include <string>
 
+class MesoHeightColors;
 class MesoShaderAssembler;
 class MesoTechniqueShader;
 struct MesoShaderBuild;
 struct MesoShaderShape;
+class vtkLookupTable;
 
 class MESORENDERINGMESOSTRUCTURE_EXPORT vtkMesoPolyDataMapper : public vtkOpenGLPolyDataMapper
 {
@@ -58,8 +60,8 @@ public:
   ///@{
   /**
    * How the detail is drawn. Scale, tiles: a new value is a uniform and costs nothing; quality,
-   * effects and wrap build the shader anew. The technique named in the options is not looked at:
-   * the mapper's class is the technique.
+   * effects and wrap build the shader anew. The mapper's class is the technique; where it is a
+   * family, the options name which of them.
    */
   void SetOptions(const MesoMesostructureOptions& options);
   const MesoMesostructureOptions& GetOptions() const { return this->Options; }
@@ -73,6 +75,17 @@ public:
 
   /// Map coordinate = texture coordinate x tiles; each > 0. Default 1, 1.
   void SetTiles(double u, double v);
+
+  ///@{
+  /**
+   * Colours by the height where the ray hit, 1 - relief depth, in place of the material's colour and
+   * of scalar colours: the table's colours over its range, the end colours beyond; its opacities are
+   * not looked at. Where the base mesh is drawn the height is 1. Null (the default): off, and nothing
+   * of it is in the shader. On and off build the shader anew.
+   */
+  void SetHeightColors(vtkLookupTable* table);
+  vtkLookupTable* GetHeightColors() const;
+  ///@}
 
   /// The effects that the shader of the last frame had compiled in.
   MesoEffects GetEffectsDrawn() const { return this->EffectsDrawn; }
@@ -100,8 +113,8 @@ protected:
   virtual MesoTechniqueShader* GetTechnique();
   /// Called after the options have changed.
   virtual void OptionsChanged() {}
-  /// The effects that the technique can show.
-  virtual MesoEffects GetEffectsProvided() const { return {}; }
+  /// The technique that this class draws with some options.
+  virtual MesoTechnique TechniqueOf(const MesoMesostructureOptions& options) const;
 
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
@@ -122,7 +135,8 @@ private:
 
   /// Why the technique cannot be drawn on the input or in these passes; empty when it can.
   std::string WhyNot(const MesoShaderShape& shape, vtkActor* actor);
-  void MapAttributes(const MesoShaderShape& shape, bool aov);
+  void MapAttributes(const MesoShaderShape& shape, bool numbers);
+  bool HasColorTextures(vtkActor* actor);
   void ReadTexturesAtHit(MesoShaderAssembler& fragment, vtkActor* actor);
   void Report(const MesoShaderAssembler& assembler);
   void WarnOnce(const std::string& reason);
@@ -132,6 +146,8 @@ private:
   std::string WhyPlain; ///< why the technique cannot be drawn in this frame
   std::string LastWarning;
   MesoEffects EffectsDrawn;
+  std::unique_ptr<MesoHeightColors> HeightColors;
+  bool HeightColorsReady = false; ///< in this frame
   std::map<const vtkOpenGLHelper*, std::string> BuiltKeys;
 };
 

@@ -41,9 +41,10 @@ MesoTechniqueShader* vtkMesoReliefMapper::GetTechnique()
   return this->Relief.get();
 }
 
-MesoEffects vtkMesoReliefMapper::GetEffectsProvided() const
+MesoTechnique vtkMesoReliefMapper::TechniqueOf(const MesoMesostructureOptions& options) const
 {
-  return MesoEffectsOfTechnique(MesoTechnique::Relief);
+  return options.Technique == MesoTechnique::ReliefQuadric ? MesoTechnique::ReliefQuadric
+                                                           : MesoTechnique::Relief;
 }
 
 void vtkMesoReliefMapper::OptionsChanged()

@@ -1,22 +1,28 @@
 /**
  * @class vtkMesoReliefMapper
- * @brief Relief mapping: a height map searched along the view ray, in the tangent plane.
+ * @brief Relief mapping: a height map searched along the view ray, over the mesh's tangent plane or
+ * quadric.
  *
  * Draws `q = p + (h - 1) D n` as seen from the eye, with D the Scale of the options and h the
  * height map: near detail hides far detail, detail shades itself for each light, and the depth
- * buffer is that of the detail. The outline stays that of the mesh.
+ * buffer is that of the detail. The options' Technique says which:
  *
- * The base is taken as its tangent plane around each fragment, so the error grows with curvature
- * times D and with grazing views. The search steps linearly and then halves (MesoStepsOfQuality):
- * detail thinner than a step can be missed.
+ * - Relief (any other than the next): the base is its tangent plane around each fragment, so the
+ *   error grows with curvature times D and with grazing views. The outline stays that of the mesh.
+ * - ReliefQuadric: the base is the quadric of the point array MesoQuadric (3, vtkMesoQuadricFit)
+ *   around each fragment. Rays that come back to the surface are not drawn, so that the outline is
+ *   that of the detail.
+ *
+ * The search steps linearly and then halves (MesoStepsOfQuality): detail thinner than a step can be
+ * missed.
  *
  * Heights: one component of float in [0,1], row 0 at t = 0, bilinear between texel centres.
  *
  * Sources: Policarpo, Oliveira, Comba, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces",
  * I3D 2005; Oliveira, Policarpo, "An Efficient Representation for Surface Details", 2005, section
- * 2.1.
+ * 2.1 and, for ReliefQuadric, sections 3.2 to 3.5.
  *
- * @sa vtkMesoPolyDataMapper, vtkMesoSurfaceFrames
+ * @sa vtkMesoPolyDataMapper, vtkMesoSurfaceFrames, vtkMesoQuadricFit
  */
 
 #ifndef vtkMesoReliefMapper_h
@@ -48,7 +54,7 @@ protected:
   ~vtkMesoReliefMapper() override;
 
   MesoTechniqueShader* GetTechnique() override;
-  MesoEffects GetEffectsProvided() const override;
+  MesoTechnique TechniqueOf(const MesoMesostructureOptions& options) const override;
   void OptionsChanged() override;
 
 private:

@@ -14,6 +14,7 @@ public:
   {
     MesoShaderShape shape;
     shape.Chunks = { "Techniques/Tessellated.glsl" };
+    shape.Attributes = { { "mesoRelief", "MesoRelief" } };
     shape.Displaced = true;
     return shape;
   }
@@ -35,7 +36,7 @@ MesoTechniqueShader* vtkMesoTessellatedMapper::GetTechnique()
   return this->Tessellated.get();
 }
 
-MesoEffects vtkMesoTessellatedMapper::GetEffectsProvided() const
+MesoTechnique vtkMesoTessellatedMapper::TechniqueOf(const MesoMesostructureOptions&) const
 {
-  return MesoEffectsOfTechnique(MesoTechnique::Tessellated);
+  return MesoTechnique::Tessellated;
 }

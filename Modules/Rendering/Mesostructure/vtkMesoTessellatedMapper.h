@@ -33,7 +33,7 @@ protected:
   ~vtkMesoTessellatedMapper() override;
 
   MesoTechniqueShader* GetTechnique() override;
-  MesoEffects GetEffectsProvided() const override;
+  MesoTechnique TechniqueOf(const MesoMesostructureOptions& options) const override;
 
 private:
   vtkMesoTessellatedMapper(const vtkMesoTessellatedMapper&) = delete;

@@ -1,0 +1,53 @@
+#include "BenchAnalysis.h"
+
+using Json = BenchResults::Json;
+
+std::optional<double> BenchFigure(const Json& row, const std::string& name)
+{
+  if (row["status"] != "ok")
+  {
+    return std::nullopt;
+  }
+  const Json& value = row["errors"][row["judged_by"].get<std::string>()][name];
+  return value.is_number() ? std::optional<double>(value.get<double>()) : std::nullopt;
+}
+
+std::optional<double> BenchTime(const Json& row)
+{
+  return row["status"] == "ok" ? std::optional<double>(row["gpu_ms"]["median"].get<double>())
+                               : std::nullopt;
+}
+
+const Json* CheapestWithin(const std::vector<const Json*>& rows, double texels)
+{
+  const Json* cheapest = nullptr;
+  for (const Json* row : rows)
+  {
+    const auto error = BenchFigure(*row, "texcoord_p95");
+    if (error && *error <= texels && (!cheapest || BenchTime(*row) < BenchTime(*cheapest)))
+    {
+      cheapest = row;
+    }
+  }
+  return cheapest;
+}
+
+const Json* MostExact(const std::vector<const Json*>& rows)
+{
+  const Json* best = nullptr;
+  for (const Json* row : rows)
+  {
+    const auto error = BenchFigure(*row, "texcoord_p95");
+    if (error && (!best || *error < *BenchFigure(*best, "texcoord_p95")))
+    {
+      best = row;
+    }
+  }
+  return best;
+}
+
+std::string BenchLabel(const Json& row)
+{
+  const std::string quality = row["quality"];
+  return row["technique"].get<std::string>() + (quality.empty() ? "" : " ") + quality;
+}

@@ -1,0 +1,29 @@
+#ifndef BenchAnalysis_h
+#define BenchAnalysis_h
+
+#include "BenchResults.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The figure of a row by the truth that it is judged by; none where it was refused or is not known.
+std::optional<double> BenchFigure(const BenchResults::Json& row, const std::string& name);
+
+/// Median of the time on the GPU; none where it was refused.
+std::optional<double> BenchTime(const BenchResults::Json& row);
+
+/// Texels that costs are asked for.
+constexpr double BenchErrors[] = { 1., 0.5, 0.1, 0.02 };
+
+/// The cheapest of these rows whose texcoord_p95 is at most `texels`, null where there is none.
+const BenchResults::Json* CheapestWithin(
+  const std::vector<const BenchResults::Json*>& rows, double texels);
+
+/// The row whose texcoord_p95 is least, null where there is none.
+const BenchResults::Json* MostExact(const std::vector<const BenchResults::Json*>& rows);
+
+/// "relief high".
+std::string BenchLabel(const BenchResults::Json& row);
+
+#endif

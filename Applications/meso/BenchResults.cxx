@@ -1,0 +1,253 @@
+#include "BenchResults.h"
+
+#include "MesoAtomicFile.h"
+#include "MesoOptions.h"
+#include "MesoScene.h" // for MesoInputError
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <sys/utsname.h>
+#include <thread>
+
+namespace
+{
+using Json = BenchResults::Json;
+
+const char* const FileFormat = "meso bench 1";
+
+Json DescribeMachine()
+{
+  Json machine;
+  std::ifstream cpus("/proc/cpuinfo");
+  for (std::string line; std::getline(cpus, line);)
+  {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos)
+    {
+      machine["processor"] = line.substr(colon + 2);
+      break;
+    }
+  }
+  machine["cores"] = std::thread::hardware_concurrency();
+  utsname system;
+  if (uname(&system) == 0)
+  {
+    machine["system"] = std::string(system.sysname) + " " + system.release;
+  }
+  return machine;
+}
+
+/// A row's place among those of its scene.
+std::pair<std::size_t, std::size_t> Order(const Json& row)
+{
+  const auto place = [](const std::vector<std::string>& names, const std::string& name)
+  { return std::size_t(std::find(names.begin(), names.end(), name) - names.begin()); };
+  return { place(MesoTechniqueNames(), row["technique"]),
+    place(MesoQualityNames(), row["quality"]) };
+}
+
+/// A value as CSV holds it.
+std::string Field(const Json& value)
+{
+  if (value.is_null())
+  {
+    return "";
+  }
+  if (!value.is_string())
+  {
+    return value.dump();
+  }
+  std::string quoted = "\"";
+  for (const char letter : value.get<std::string>())
+  {
+    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return quoted + "\"";
+}
+
+const char* const CostNames[] = { "ratio_to_floor", "clock", "runs", "fetches_mean", "fetches_max",
+  "texel_reads_mean", "texel_reads_max", "gpu_bytes", "prepare_s", "triangles" };
+}
+
+std::string BenchKey(const std::string& bytes)
+{
+  std::uint64_t sum = 14695981039346656037u;
+  for (const char byte : bytes)
+  {
+    sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211u;
+  }
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(sum));
+  return text;
+}
+
+BenchResults::BenchResults(const std::string& folder, bool fresh)
+  : Folder(folder)
+{
+  this->Content = { { "format", FileFormat }, { "machine", DescribeMachine() }, { "device", "" },
+    { "version", MESO_VERSION }, { "scenes", Json::array() }, { "rows", Json::array() } };
+  const std::string name = folder + "/results.json";
+  std::ifstream file(name);
+  if (!file)
+  {
+    return;
+  }
+  const Json before = Json::parse(file, nullptr, false);
+  if (!before.is_object() || before.value("format", "") != FileFormat)
+  {
+    throw MesoInputError(name + ": is there, but is no result of this meso bench");
+  }
+  if (!fresh)
+  {
+    this->Content["scenes"] = before["scenes"];
+    this->Content["rows"] = before["rows"];
+  }
+}
+
+void BenchResults::Describe(const std::string& device)
+{
+  this->Content["device"] = device;
+}
+
+const Json* BenchResults::FindScene(const std::string& name, const std::string& key) const
+{
+  for (const Json& scene : this->Content["scenes"])
+  {
+    if (scene["scene"] == name && scene["key"] == key)
+    {
+      return &scene;
+    }
+  }
+  return nullptr;
+}
+
+const Json* BenchResults::FindRow(const std::string& key) const
+{
+  for (const Json& row : this->Content["rows"])
+  {
+    if (row["key"] == key)
+    {
+      return &row;
+    }
+  }
+  return nullptr;
+}
+
+void BenchResults::SetScene(Json scene)
+{
+  for (Json& other : this->Content["scenes"])
+  {
+    if (other["scene"] == scene["scene"])
+    {
+      other = std::move(scene);
+      return;
+    }
+  }
+  this->Content["scenes"].push_back(std::move(scene));
+}
+
+void BenchResults::SetRow(Json row)
+{
+  for (Json& other : this->Content["rows"])
+  {
+    if (other["scene"] == row["scene"] && Order(other) == Order(row))
+    {
+      other = std::move(row);
+      return;
+    }
+  }
+  this->Content["rows"].push_back(std::move(row));
+}
+
+std::vector<Json> BenchResults::RowsOf(const std::string& scene) const
+{
+  std::vector<Json> rows;
+  for (const Json& row : this->Content["rows"])
+  {
+    if (row["scene"] == scene)
+    {
+      rows.push_back(row);
+    }
+  }
+  std::sort(
+    rows.begin(), rows.end(), [](const Json& a, const Json& b) { return Order(a) < Order(b); });
+  return rows;
+}
+
+std::string BenchResults::Csv() const
+{
+  // The figures of error have the names that the first row has them by.
+  std::vector<std::string> figures;
+  for (const Json& row : this->Content["rows"])
+  {
+    if (figures.empty() && row["status"] == "ok")
+    {
+      for (const auto& figure : row["errors"].front().items())
+      {
+        if (!figure.value().is_structured() && figure.key() != "depth_unit")
+        {
+          figures.push_back(figure.key());
+        }
+      }
+    }
+  }
+  std::ostringstream csv;
+  csv << "scene,technique,quality,status,reason,width,height,surface,judged,depth_unit";
+  for (const std::string& figure : figures)
+  {
+    csv << ',' << figure;
+  }
+  for (const char* clock : { "gpu_ms", "frame_ms" })
+  {
+    csv << ',' << clock << "_median," << clock << "_min," << clock << "_max";
+  }
+  for (const char* name : CostNames)
+  {
+    csv << ',' << name;
+  }
+  csv << ",device,version\n";
+  for (const Json& scene : this->Content["scenes"])
+  {
+    for (const Json& row : this->RowsOf(scene["scene"]))
+    {
+      const Json noErrors = { { "", Json::object() } }; // one line for what was refused
+      for (const auto& error : (row["status"] == "ok" ? row["errors"] : noErrors).items())
+      {
+        const auto field = [&](const Json& from, const char* name)
+        { return Field(from.contains(name) ? from[name] : Json()); };
+        csv << field(row, "scene") << ',' << field(row, "technique") << ',' << field(row, "quality")
+            << ',' << field(row, "status") << ',' << field(row, "reason") << ',' << row["size"][0]
+            << ',' << row["size"][1] << ',' << Field(error.key()) << ','
+            << (row.contains("judged_by") && row["judged_by"] == error.key() ? 1 : 0) << ','
+            << field(error.value(), "depth_unit");
+        for (const std::string& figure : figures)
+        {
+          csv << ',' << field(error.value(), figure.c_str());
+        }
+        for (const char* clock : { "gpu_ms", "frame_ms" })
+        {
+          for (const char* part : { "median", "min", "max" })
+          {
+            csv << ',' << (row.contains(clock) ? field(row[clock], part) : "");
+          }
+        }
+        for (const char* name : CostNames)
+        {
+          csv << ',' << field(row, name);
+        }
+        csv << ',' << field(row, "device") << ',' << field(row, "version") << '\n';
+      }
+    }
+  }
+  return csv.str();
+}
+
+void BenchResults::Save() const
+{
+  const std::string json = this->Content.dump(1) + "\n";
+  MesoAtomicFile::Write(this->Folder + "/results.json", json.data(), json.size());
+  const std::string csv = this->Csv();
+  MesoAtomicFile::Write(this->Folder + "/results.csv", csv.data(), csv.size());
+}

@@ -1,0 +1,61 @@
+#ifndef BenchScene_h
+#define BenchScene_h
+
+#include "BenchResults.h"
+#include "BenchSettings.h"
+#include "BenchTruth.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+class BenchProgress;
+
+/**
+ * One scene of a bench: its truths, and each arm rendered, judged against them and timed. What is
+ * timed is timed in turns, in one window: a frame without anything, one of the floor (the scene drawn
+ * `plain`), one of each arm, and again.
+ *
+ * Pictures go to the folder `<scene>` in the bench's folder: truths, and for each arm a strip (truth,
+ * arm, FLIP, classes) and the surroundings of its worst pixel.
+ */
+class BenchScene
+{
+public:
+  /// Reads the scene. `device` is the name of what draws. Throws MesoInputError.
+  BenchScene(const BenchSettings& settings, const std::string& file, const std::string& device);
+
+  /// The file's name without folder and extension.
+  const std::string& Name() const { return this->SceneName; }
+
+  /// What Run() will tell the progress.
+  double Steps() const;
+
+  /// Does what `results` do not hold yet, and saves them. False where the scene has no truth, which
+  /// the results then say.
+  bool Run(BenchResults& results, BenchProgress& progress) const;
+
+private:
+  using Truths = std::map<BenchSurface, MesoRendering>;
+  struct Arm;
+
+  std::string KeyOfScene() const;
+  std::string KeyOfArm(const BenchArm& arm) const;
+  std::string PathOf(const std::string& name) const;
+  Truths MakeTruths(BenchResults& results, BenchProgress& progress) const;
+  void Judge(Arm& arm, const MesoRendering& rendering, const Truths& truths) const;
+  BenchResults::Json StartOfRow(const BenchArm& arm) const;
+
+  const BenchSettings& Settings;
+  std::string File;
+  std::string SceneName;
+  std::string Device;
+  std::string Content; ///< bytes of the scene's file and of all files that it names
+  MesoScene Scene;
+};
+
+/// The surface that a technique is judged by, of those that a scene has: what models the smooth surface
+/// is judged by it.
+BenchSurface SurfaceOfTechnique(MesoTechnique technique, bool hasSmooth);
+
+#endif

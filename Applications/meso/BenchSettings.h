@@ -1,0 +1,38 @@
+#ifndef BenchSettings_h
+#define BenchSettings_h
+
+#include "MesoOptions.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// One way to draw a scene: a point of a curve.
+struct BenchArm
+{
+  MesoTechnique Technique = MesoTechnique::Plain;
+  std::optional<MesoQuality> Quality; ///< none where the technique has one setting
+
+  std::string TechniqueName() const { return MesoName(this->Technique); }
+  std::string QualityName() const { return this->Quality ? MesoName(*this->Quality) : ""; }
+  /// "relief-high", for files and messages.
+  std::string Name() const
+  {
+    return this->TechniqueName() + (this->Quality ? "-" + this->QualityName() : "");
+  }
+};
+
+/// What `meso bench` is asked for.
+struct BenchSettings
+{
+  std::vector<std::string> SceneFiles;
+  std::string Folder;
+  std::vector<BenchArm> Arms;
+  std::array<int, 2> Size = { 512, 384 };
+  int WarmUp = 5;     ///< rounds of frames before those that count
+  int Runs = 20;      ///< rounds that count
+  bool Fresh = false; ///< measure again what the folder holds already
+};
+
+#endif

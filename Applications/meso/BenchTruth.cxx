@@ -1,0 +1,82 @@
+#include "BenchTruth.h"
+
+#include "CommandLine.h"
+#include "MesoAtomicFile.h"
+#include "MesoReference.h"
+#include "vtkImageData.h"
+
+#include <algorithm>
+
+namespace
+{
+void SetTechnique(
+  std::vector<MesoSceneNode>& nodes, MesoTechnique technique, std::optional<MesoQuality> quality)
+{
+  for (MesoSceneNode& node : nodes)
+  {
+    MesoMesostructureOptions& options = node.Mesostructure;
+    if (node.Map)
+    {
+      options.Technique = technique;
+      options.Effects = MesoEffectChoice();
+      options.Quality = quality.value_or(options.Quality);
+    }
+    SetTechnique(node.Children, technique, quality);
+  }
+}
+
+void CollectMeshes(
+  const std::vector<MesoSceneNode>& nodes, std::vector<const MesoSceneMesh*>& meshes)
+{
+  for (const MesoSceneNode& node : nodes)
+  {
+    if (node.Mesh)
+    {
+      meshes.push_back(&*node.Mesh);
+    }
+    CollectMeshes(node.Children, meshes);
+  }
+}
+}
+
+const char* MesoName(BenchSurface surface)
+{
+  return surface == BenchSurface::Mesh ? "mesh" : "smooth";
+}
+
+bool HasSmoothSurface(const MesoScene& scene)
+{
+  std::vector<const MesoSceneMesh*> meshes;
+  CollectMeshes(scene.Nodes, meshes);
+  const auto isShape = [](const MesoSceneMesh* mesh) { return mesh->File.empty(); };
+  const auto isCurved = [](const MesoSceneMesh* mesh) { return mesh->Shape != "plane"; };
+  return std::all_of(meshes.begin(), meshes.end(), isShape) &&
+    std::any_of(meshes.begin(), meshes.end(), isCurved);
+}
+
+MesoScene WithTechnique(
+  const MesoScene& scene, MesoTechnique technique, std::optional<MesoQuality> quality)
+{
+  MesoScene changed = scene;
+  SetTechnique(changed.Nodes, technique, quality);
+  return changed;
+}
+
+void WriteTruth(const MesoScene& scene, BenchSurface surface, const std::array<int, 2>& size,
+  const std::string& stem)
+{
+  // Any technique that draws maps stands for the displaced surface.
+  const MesoReference reference(WithTechnique(scene, MesoTechnique::Relief, std::nullopt),
+    surface == BenchSurface::Mesh ? MesoReference::Surface::Mesh : MesoReference::Surface::Smooth);
+  const MesoReferenceResult result = reference.Render(size[0], size[1]);
+  const MesoExrImage& aovs = result.AOVs;
+  MesoWriteExr(stem + ".aov.exr", aovs.Width, aovs.Height, aovs.ChannelNames, aovs.Data.data(),
+    aovs.Attributes);
+  const std::string picture = PictureBytes(result.Picture);
+  MesoAtomicFile::Write(stem + ".png", picture.data(), picture.size());
+}
+
+MesoRendering ReadTruth(const std::string& stem)
+{
+  return { stem, MesoReadPicture(stem + ".png"), MesoAOVsOfImage(MesoReadExr(stem + ".aov.exr")) };
+}

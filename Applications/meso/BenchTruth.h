@@ -1,0 +1,37 @@
+#ifndef BenchTruth_h
+#define BenchTruth_h
+
+#include "MesoImageError.h"
+#include "MesoScene.h"
+
+#include <array>
+
+/// Which surface lies under the relief of a truth; see MesoReference::Surface.
+enum class BenchSurface
+{
+  Mesh,
+  Smooth
+};
+
+/// "mesh" or "smooth".
+const char* MesoName(BenchSurface surface);
+
+/// Whether a scene has a smooth surface other than its meshes: all meshes are built-in shapes, and
+/// one of them is curved.
+bool HasSmoothSurface(const MesoScene& scene);
+
+/// The scene with every node that has a map drawn by this technique, with all its effects.
+MesoScene WithTechnique(
+  const MesoScene& scene, MesoTechnique technique, std::optional<MesoQuality> quality);
+
+/**
+ * Ray trace a scene, whatever its techniques, and write `<stem>.png` and `<stem>.aov.exr`. Throws
+ * MesoInputError where the scene has no truth.
+ */
+void WriteTruth(const MesoScene& scene, BenchSurface surface, const std::array<int, 2>& size,
+  const std::string& stem);
+
+/// Read what WriteTruth() wrote.
+MesoRendering ReadTruth(const std::string& stem);
+
+#endif

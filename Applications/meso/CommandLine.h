@@ -1,0 +1,66 @@
+#ifndef CommandLine_h
+#define CommandLine_h
+
+/**
+ * @file CommandLine.h
+ * @brief Options and habits that the verbs share.
+ *
+ * Values that make no sense throw CLI::ValidationError, which names option and value.
+ */
+
+#include <array>
+#include <chrono>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace CLI
+{
+class App;
+}
+
+/// Names as one text, with commas.
+std::string JoinNames(const std::vector<std::string>& names);
+
+/// The parts of a list, empty ones as well, which no list of names takes.
+std::vector<std::string> SplitAtCommas(const std::string& text);
+
+/// Width and height of a text such as 800x600.
+std::array<int, 2> ParseSize(const char* option, const std::string& text);
+
+///@{
+/// `-o,--output`, a .png; `--size WxH`; `--aov LIST` of these groups; `--samples N`; `--stats FILE`.
+void AddOutputOption(CLI::App& command, std::string& output);
+void AddSizeOption(CLI::App& command, std::array<int, 2>& size);
+void AddAOVOption(
+  CLI::App& command, const std::vector<std::string>& groups, std::vector<std::string>& channels);
+void AddSamplesOption(CLI::App& command, int& samples);
+void AddStatsOption(CLI::App& command, std::string& file, const std::string& help);
+///@}
+
+/// `x.png` gives `x.aov.exr`.
+std::string AOVFileName(const std::string& picture);
+
+/// Throws where a result could not be written, or two would go to one file, before time is spent on
+/// them. Empty names are passed over.
+void CheckFileNames(const std::vector<std::string>& names);
+
+/// Of these channels, those that AOV groups ("depth", "texcoord", "all", ...) stand for.
+std::vector<std::string> ChannelsOfGroups(
+  const std::vector<std::string>& groups, const std::vector<std::string>& channels);
+
+/// The bytes of a PNG file.
+std::string PictureBytes(vtkImageData* image);
+
+/// A bar on the terminal's last line for work of over a second; nothing where output is piped.
+class ProgressBar
+{
+public:
+  void operator()(double part);
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+#endif

@@ -1,0 +1,35 @@
+#ifndef CommandReference_h
+#define CommandReference_h
+
+#include "MesoReference.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+/// `meso reference`: a scene file ray traced over its true surface.
+class CommandReference
+{
+public:
+  /// Adds the command and its options to the program.
+  explicit CommandReference(CLI::App& app);
+
+  /// Returns the program's exit code; throws where the job fails.
+  int Run();
+
+private:
+  std::string SceneFile;
+  std::string Output;
+  std::array<int, 2> Size = { 800, 600 };
+  MesoReference::Surface Surface = MesoReference::Surface::Mesh;
+  std::vector<std::string> Channels; ///< AOV groups, empty for none
+  int Samples = 1;
+  std::string StatsFile;
+};
+
+#endif

@@ -1,0 +1,14 @@
+#ifndef MesoAlgorithmRun_h
+#define MesoAlgorithmRun_h
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+
+/// Update an algorithm; its first error becomes a MesoInputError "place: message", its warnings are
+/// added to the list, each with the place.
+void MesoRunAlgorithm(
+  vtkAlgorithm* algorithm, const std::string& place, std::vector<std::string>& warnings);
+
+#endif
