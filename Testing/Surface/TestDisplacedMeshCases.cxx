@@ -107,6 +107,46 @@ TEST_F(DisplacedMeshCases, RefusesWhatItCannotUseInOneLine)
   EXPECT_GT(this->Run(OneSquare())->GetNumberOfPolys(), 0);
 }
 
+TEST_F(DisplacedMeshCases, CarriesAnArrayLinearly)
+{
+  // Texture coordinates under another name must come out as the filter's own, everywhere.
+  for (const char* shape : { "torus", "sphere" })
+  {
+    const auto mesh = ShapeMesh(shape, { { "rings", { 7. } }, { "sides", { 5. } } });
+    vtkNew<vtkDoubleArray> numbers;
+    numbers->DeepCopy(mesh->GetPointData()->GetTCoords());
+    numbers->SetName("numbers");
+    mesh->GetPointData()->AddArray(numbers);
+    this->Filter->SetFacetsPerTexel(3.);
+    this->Filter->SetCarriedArray("numbers");
+    vtkPolyData* diced = this->Run(mesh);
+    this->ExpectSound(diced);
+    vtkDataArray* carried = diced->GetPointData()->GetArray("numbers");
+    ASSERT_TRUE(carried);
+    ASSERT_EQ(carried->GetNumberOfComponents(), 2);
+    ASSERT_EQ(carried->GetNumberOfTuples(), diced->GetNumberOfPoints());
+    EXPECT_GT(diced->GetNumberOfPoints(), 4 * mesh->GetNumberOfPoints());
+    double largest = 0.;
+    for (vtkIdType i = 0; i < diced->GetNumberOfPoints(); ++i)
+    {
+      for (int k = 0; k < 2; ++k)
+      {
+        largest = std::max(largest,
+          std::abs(
+            carried->GetComponent(i, k) - diced->GetPointData()->GetTCoords()->GetComponent(i, k)));
+      }
+    }
+    EXPECT_LT(largest, 1e-14) << shape; // rounding of sums of three numbers up to 1
+  }
+  const auto plain = OneSquare();
+  this->Filter->SetCarriedArray("TextureCoordinates");
+  this->ExpectRefused(plain, "the input has no point array TextureCoordinates");
+  this->Filter->SetCarriedArray("uv"); // of the input, whose coordinates they are
+  EXPECT_TRUE(this->Run(plain)->GetPointData()->HasArray("uv"));
+  this->Filter->SetCarriedArray(nullptr);
+  EXPECT_FALSE(this->Run(plain)->GetPointData()->HasArray("uv"));
+}
+
 TEST_F(DisplacedMeshCases, RefusesMapsThatAreNoHeights)
 {
   const auto refused = [&](vtkImageData* map, const char* part)

@@ -1,5 +1,6 @@
 #include "vtkMesoDisplacedMesh.h"
 
+#include "MesoDicedArray.h"
 #include "MesoDicer.h"
 #include "MesoFitInput.h"
 
@@ -149,6 +150,11 @@ void vtkMesoDisplacedMesh::Execute(vtkPolyData* input, vtkImageData* heights, vt
   {
     return;
   }
+  vtkDataArray* carried = input->GetPointData()->GetArray(this->CarriedArray.c_str());
+  if (!carried && !this->CarriedArray.empty())
+  {
+    throw std::invalid_argument("the input has no point array " + this->CarriedArray);
+  }
   const int* size = heights->GetDimensions();
   const MesoKernels::Double::HeightField field(size[0], size[1], this->Wrap, HeightsOf(heights));
   vtkDataArray* coordinates = MesoFindTextureCoordinates(input);
@@ -176,6 +182,10 @@ void vtkMesoDisplacedMesh::Execute(vtkPolyData* input, vtkImageData* heights, vt
   {
     output->Initialize();
     return;
+  }
+  if (carried && !output->GetPointData()->HasArray(this->CarriedArray.c_str()))
+  {
+    output->GetPointData()->AddArray(MesoDicedArray(plan, base.Mesh, carried, base.ArrayType()));
   }
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
 }
@@ -273,6 +283,7 @@ void vtkMesoDisplacedMesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FacetsPerTexel: " << this->FacetsPerTexel << "\n";
   os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
   os << indent << "DetailNormals: " << (this->DetailNormals ? "On" : "Off") << "\n";
+  os << indent << "CarriedArray: " << this->CarriedArray << "\n";
   os << indent << "NumberOfTornEdges: " << this->NumberOfTornEdges << "\n";
   os << indent << "LargestTear: " << this->LargestTear << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";

@@ -23,6 +23,7 @@
  * - `Normals` (3, active, unit): the shading normal of the displaced surface.
  * - `TextureCoordinates` (2, active): the mesh's own.
  * - `MesoRelief` (1): depth 1 - h in [0,1].
+ * - the array that CarriedArray names, interpolated linearly in the input's triangles.
  * Arrays and points are double where the input's positions are double, else float. The input's
  * other point and cell data are not carried along, its field data are.
  *
@@ -108,6 +109,13 @@ public:
   vtkBooleanMacro(DetailNormals, bool);
   ///@}
 
+  ///@{
+  /// Name of a point array of the input that the output has as well. It must be there; one that the
+  /// filter makes itself is not carried. Default: none.
+  vtkSetStdStringFromCharMacro(CarriedArray);
+  vtkGetCharFromStdStringMacro(CarriedArray);
+  ///@}
+
   /// Why the last update gave nothing; empty where it gave a mesh.
   const std::string& GetErrorMessage() const { return this->ErrorMessage; }
   /// Edges of the base along which the last output is torn.
@@ -143,6 +151,7 @@ private:
   double FacetsPerTexel = 1.;
   vtkIdType MaximumNumberOfTriangles = 20000000;
   bool DetailNormals = true;
+  std::string CarriedArray;
   std::string ErrorMessage;
   vtkIdType NumberOfTornEdges = 0;
   double LargestTear = 0.;

@@ -287,7 +287,8 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
   return fit->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(const Object& object, const std::string& place)
+vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
+  const Object& object, const MesoSceneMaterial& material, const std::string& place)
 {
   const MesoEffects effects = MesoEffectsOn(object.Options);
   if (effects.Empty())
@@ -310,6 +311,10 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(const Object& object, const 
   diced->SetWrap(object.Options.Wrap);
   diced->SetFacetsPerTexel(MesoFacetsPerTexel(object.Options.Quality));
   diced->SetDetailNormals(effects.Has(MesoEffect::Shading));
+  if (material.ColorBy && !material.ColorBy->IsHeight())
+  {
+    diced->SetCarriedArray(material.ColorBy->Array.c_str());
+  }
   MesoRunAlgorithm(diced, place, this->Warnings);
   if (diced->GetNumberOfTornEdges() > 0)
   {
@@ -347,6 +352,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
         object.Mesh, *node.Material.ColorBy, inScene + ".material.color_by", this->Warnings);
     }
     const MesoTechnique technique = node.Mesostructure.Technique;
+    vtkSmartPointer<vtkPolyData> base; // where it is not the mesh that is drawn
     if (MesoUsesHeightMap(technique) && node.Mesostructure.Scale == 0.)
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
@@ -364,7 +370,8 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     }
     else if (technique == MesoTechnique::Tessellated)
     {
-      object.Mesh = this->Dice(object, inScene + ".mesostructure");
+      base = object.Mesh;
+      object.Mesh = this->Dice(object, node.Material, inScene + ".mesostructure");
       object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
     }
     else
@@ -388,7 +395,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     object.Mapper->ScalarVisibilityOff();
     if (node.Material.ColorBy)
     {
-      MesoSetSurfaceColors(*node.Material.ColorBy, object.Mapper);
+      MesoSetSurfaceColors(*node.Material.ColorBy, base ? base : object.Mesh, object.Mapper);
     }
 
     object.Actor = vtkSmartPointer<vtkActor>::New();

@@ -56,8 +56,9 @@ private:
   vtkSmartPointer<vtkPolyData> WithQuadrics(
     vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
 
-  /// The object's mesh as the technique tessellated draws it.
-  vtkSmartPointer<vtkPolyData> Dice(const Object& object, const std::string& place);
+  /// The object's mesh as the technique tessellated draws it, with the array that gives its colour.
+  vtkSmartPointer<vtkPolyData> Dice(
+    const Object& object, const MesoSceneMaterial& material, const std::string& place);
 
   std::vector<Object> Objects;
   std::vector<std::string> Warnings;
