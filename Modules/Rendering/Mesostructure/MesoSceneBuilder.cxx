@@ -394,7 +394,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     object.Mapper->ScalarVisibilityOff();
     if (node.Material.ColorBy)
     {
-      MesoSetSurfaceColors(*node.Material.ColorBy, object.Mapper);
+      MesoSetSurfaceColors(*node.Material.ColorBy, object.Mesh, object.Mapper);
     }
 
     object.Actor = vtkSmartPointer<vtkActor>::New();
