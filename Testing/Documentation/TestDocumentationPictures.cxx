@@ -22,6 +22,7 @@ struct Picture
   const char* Name;  ///< Documentation/Images/<Name>.png
   const char* Scene; ///< Data/Scenes/<Scene>
   const char* Size;
+  const char* Verb = "render";
 };
 
 // GoogleTest puts it into the test's name, which must not change from run to run.
@@ -33,6 +34,7 @@ void PrintTo(const Picture& picture, std::ostream* stream)
 const Picture Pictures[] = {
   { "Demo", "demo.json", "400x300" },
   { "ColorHeight", "Documentation/ColorHeight.json", "320x240" },
+  { "ReferenceDemo", "demo.json", "320x240", "reference" },
   { "ReliefColumn", "Documentation/ReliefColumn.json", "400x300" },
   { "ReliefDraft", "Documentation/ReliefDraft.json", "400x300" },
   { "ReliefHigh", "Documentation/ReliefHigh.json", "400x300" },
@@ -87,7 +89,7 @@ TEST_P(DocumentationPicture, IsWhatTheProgramRenders)
   const Picture& picture = GetParam();
   const TemporaryFolder folder;
   const std::string file = folder.PathOf("picture.png");
-  const MesoRun run = RunMeso({ "render", std::string(MESO_SCENES) + "/" + picture.Scene, "-o",
+  const MesoRun run = RunMeso({ picture.Verb, std::string(MESO_SCENES) + "/" + picture.Scene, "-o",
     file, "--size", picture.Size, "--samples", "4" });
   ASSERT_EQ(run.ExitCode, 0) << run.Messages;
   EXPECT_EQ(run.Messages, "");

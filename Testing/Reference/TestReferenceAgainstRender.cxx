@@ -298,6 +298,19 @@ TEST(ReferenceAgainstRender, ReliefOnAPlaneInAnyChart)
   }
 }
 
+TEST(ReferenceAgainstRender, ReliefOnATorusDicedByTheMappers)
+{
+  // The technique `tessellated` dices the same surface by code of its own, outlines included.
+  const Both both(R"("camera": {"position": [0.2, 1.6, 3.6], "view_angle": 32},
+    "nodes": [{"mesh": {"shape": "torus", "rings": 16, "sides": 10},
+      "mesostructure": {"technique": "tessellated", "quality": "high", "scale": 0.1,
+        "tiles": [3, 2], "height_map": {"pattern": "smooth", "size": [32, 32]}}}])");
+  EXPECT_GT(both.Coverage(), 0.999);
+  EXPECT_LT(32. * both.Difference("texcoord.u", 0.95), 0.02);
+  EXPECT_LT(32. * both.Difference("texcoord.v", 0.95), 0.02);
+  EXPECT_LT(both.Difference("depth", 0.95), 1e-2 * 0.1); // two facets a texel
+}
+
 TEST(ReferenceAgainstRender, ColorMaps)
 {
   const std::string file =

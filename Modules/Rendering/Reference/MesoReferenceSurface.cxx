@@ -200,8 +200,10 @@ MesoShapePatch MesoReferenceSurface::ShapePatch(std::size_t number) const
   const glm::dvec2 size = this->Map
     ? glm::dvec2(this->Map->X().Texels(), this->Map->Y().Texels()) * this->Tiles
     : this->Tiles; // texels, or tiles, on the whole shape
-  const double i = static_cast<double>(number % cuts[0]);
-  const double j = static_cast<double>(number / cuts[0]);
+  const std::size_t column = number % cuts[0];
+  const std::size_t row = number / cuts[0];
+  const auto i = static_cast<double>(column);
+  const auto j = static_cast<double>(row);
   return { *this->Shape,
     { size.x * i / cuts[0] - 0.5, size.x * (i + 1.) / cuts[0] - 0.5, size.y * j / cuts[1] - 0.5,
       size.y * (j + 1.) / cuts[1] - 0.5 },
@@ -324,7 +326,8 @@ MesoReferencePoint MesoReferenceSurface::Describe(
     {
       const MesoBasePoint base = patch.At(hit.X, hit.Y);
       const bool mapped = over.Map && !hit.OnBase;
-      double height = hit.OnBase || !this->Displaced ? over.Reference : over.Height;
+      const bool displaced = this->Displaced && !hit.OnBase;
+      double height = displaced ? over.Height : over.Reference;
       glm::dvec2 slope(0.); // of the bilinear patch, per texel
       glm::dvec2 shadingSlope(0.);
       if (mapped)
@@ -374,8 +377,7 @@ MesoReferencePoint MesoReferenceSurface::Describe(
         result.Shading = -result.Shading;
       }
       result.MapCoord = this->MapCoordAt(patch, hit);
-      // Adding 0 turns -0 into 0.
-      result.Relief = std::min(std::max(over.Reference - height, 0.), 1.) + 0.;
+      result.Relief = displaced ? std::min(std::max(1. - height, 0.), 1.) : 0.; // rounding
       result.TexelSize = 1e-3 * this->Diagonal;
       if (over.Map)
       {
