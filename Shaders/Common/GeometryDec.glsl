@@ -5,6 +5,10 @@ in vec3 mesoNormalVCVSOutput[];
 out vec3 mesoPositionVCGSOutput;
 out vec2 mesoTCoordGSOutput;
 out vec3 mesoNormalVCGSOutput;
+#ifdef MESO_DISPLACED
+in float mesoReliefVSOutput[];
+out float mesoReliefGSOutput;
+#endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput[];
 in vec3 mesoPerTCoordUVSOutput[];

@@ -1,6 +1,9 @@
     mesoPositionVCGSOutput = mesoPositionVCVSOutput[i];
     mesoTCoordGSOutput = mesoTCoordVSOutput[i];
     mesoNormalVCGSOutput = mesoNormalVCVSOutput[i];
+#ifdef MESO_DISPLACED
+    mesoReliefGSOutput = mesoReliefVSOutput[i];
+#endif
 #ifdef MESO_FRAME
     mesoNormalMCGSOutput = mesoNormalMCVSOutput[i];
     mesoPerTCoordUGSOutput = mesoPerTCoordUVSOutput[i];

@@ -3,6 +3,7 @@
 //   MESO_FRAME        the technique uses the tangent frame
 //   MESO_QUADRIC      the technique bends its relief over a quadric
 //   MESO_CURVATURE    the quadric is that of the vertices, else the tangent plane
+//   MESO_DISPLACED    the mesh itself is the detail
 //   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
 //   MESO_AOV          every pixel's hit is written out as numbers
 //   MESO_LIGHT_COUNT  number of lights that are on
@@ -41,6 +42,9 @@ in vec3 mesoPositionVCVSOutput;
 in vec2 mesoTCoordVSOutput;
 in vec3 mesoNormalVCVSOutput;
 uniform vec2 mesoTiles;
+#ifdef MESO_DISPLACED
+in float mesoReliefVSOutput;
+#endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput;
 in vec3 mesoPerTCoordUVSOutput;

@@ -1,6 +1,7 @@
 // Vertex stage: what the fragments need, in view coordinates (VC).
 //   MESO_FRAME      the technique uses the tangent frame of the vertex
 //   MESO_CURVATURE  and its quadric
+//   MESO_DISPLACED  the mesh itself is the detail
 in vec2 mesoTCoord;
 in vec3 mesoNormal;
 uniform mat4 mesoMCVCMatrix;
@@ -8,6 +9,10 @@ uniform mat3 mesoNormalMatrix;
 out vec3 mesoPositionVCVSOutput;
 out vec2 mesoTCoordVSOutput;
 out vec3 mesoNormalVCVSOutput;
+#ifdef MESO_DISPLACED
+in float mesoRelief; // depth in [0,1]
+out float mesoReliefVSOutput;
+#endif
 #ifdef MESO_FRAME
 in vec3 mesoTangent;
 in vec3 mesoBitangent;

@@ -39,7 +39,13 @@ public:
   /// Renders to <name>.png with more arguments; the job must succeed without a message.
   void Render(const std::vector<std::string>& more = {}, const std::string& name = "x")
   {
-    std::vector<std::string> arguments = { "render", this->PathOf("scene.json"), "-o",
+    this->Run("render", more, name);
+  }
+
+  /// The same by another verb.
+  void Run(const std::string& verb, const std::vector<std::string>& more, const std::string& name)
+  {
+    std::vector<std::string> arguments = { verb, this->PathOf("scene.json"), "-o",
       this->PathOf(name + ".png"), "--size", "64x48" };
     arguments.insert(arguments.end(), more.begin(), more.end());
     this->Pictures.erase(name);

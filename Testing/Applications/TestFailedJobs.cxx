@@ -76,6 +76,27 @@ TEST_F(FailedJob, UnknownKeyIsNamedWithItsPlace)
     { "scene.json", "nodes[0].mesostructure", "hieght_map" });
 }
 
+TEST_F(FailedJob, ColorByAnArrayThatIsNotThere)
+{
+  this->Expect(R"({"meso": 1, "nodes": [{"mesh": {"shape": "plane"},
+    "material": {"color_by": "temperature"}}]})",
+    { "scene.json: nodes[0].material.color_by: the mesh has no point array \"temperature\"",
+      "there are: MesoBitangent, MesoCurvature, " });
+}
+
+// The truth of a picture whose colours it lacks would be none.
+TEST_F(FailedJob, ReferenceOfColorsThatItDoesNotShow)
+{
+  this->Folder.Write("scene.json", R"({"meso": 1, "nodes": [{"name": "wall",
+    "mesh": {"shape": "plane"}, "material": {"color_by": "TextureCoordinates[0]"}}]})");
+  const MesoRun run =
+    RunMeso({ "reference", this->Folder.PathOf("scene.json"), "-o", this->Output });
+  EXPECT_EQ(run.ExitCode, 1);
+  EXPECT_EQ(run.Messages,
+    "meso: node 1 'wall': the reference does not show colors by arrays or heights (color_by)\n");
+  EXPECT_EQ(this->Folder.Names(), std::vector<std::string>{ "scene.json" });
+}
+
 TEST_F(FailedJob, NoMesh)
 {
   this->Expect(R"({"meso": 1, "nodes": [{"mesh": "none.obj"}]})", { "none.obj" });

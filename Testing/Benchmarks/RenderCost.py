@@ -14,7 +14,11 @@ import sys
 import tempfile
 
 # `plain` looks up no map, so its quality makes no difference.
-SETTINGS = [("plain", "medium")] + [("relief", q) for q in ("draft", "low", "medium", "high")]
+QUALITIES = ("draft", "low", "medium", "high")
+SETTINGS = [("plain", "medium")]
+SETTINGS += [(technique, q) for technique in ("relief", "tessellated") for q in QUALITIES]
+# Said of a scene that a setting is too fine for: a row of the table, but no failure of the run.
+TOO_FINE = "more than the limit"
 HEADER = ("scene", "technique", "quality", "GPU ms", "x plain", "frame ms", "fetches mean", "max")
 
 
@@ -60,7 +64,7 @@ def main(arguments):
     for scene in scenes:
         for row, found in rows(program, scene, size):
             if found is None:
-                failed = True
+                failed = failed or TOO_FINE not in row[3]
             elif device is None:
                 device = found["device"]
                 print(f"meso {found['version']}, {size}, {device}\n")

@@ -107,10 +107,10 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
   EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
     "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
-    "plain, relief, relief-quadric)");
+    "plain, relief, relief-quadric, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
-    "relief? choices: plain, relief, relief-quadric)");
+    "relief? choices: plain, relief, relief-quadric, tessellated)");
   EXPECT_EQ(OfRelief(R"(, "quadric": "full")"),
     "s.json: nodes[0].mesostructure.quadric: technique relief has no quadric");
   EXPECT_TRUE(Mentions(

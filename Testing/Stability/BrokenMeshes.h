@@ -475,6 +475,8 @@ inline std::vector<BrokenMesh> BrokenMeshes()
           .replace(0, scale < 1. ? 1 : 0, scale < 1. ? "Minus" : ""),
       K::Most, [scale] { return Scaled(scale); });
   }
+  // Curvatures of 1e40: doubles hold them, floats do not.
+  add("CurvaturesBeyondFloat", K::Any, [] { return Scaled(1e-40); });
   add("TooLargeToSquare", K::Any, [] { return Scaled(1e200); });
   add("TooSmallToSquare", K::Any, [] { return Scaled(1e-200); });
   add("Denormal", K::Any, [] { return Scaled(1e-312); });

@@ -285,6 +285,20 @@ TEST(SurfaceNormals, OfLengthZeroAreMade)
   const Result zero = RunChain(mesh, false, false);
   ASSERT_TRUE(zero.Errors.empty()) << zero.Errors[0];
   EXPECT_EQ(CountNotFinite(zero.Mesh), 0);
+  vtkNew<vtkMesoPrincipalCurvatures> alone; // with no filter before it that makes normals
+  alone->SetInputData(mesh);
+  alone->Update();
+  EXPECT_EQ(CountNotFinite(alone->GetOutput()), 0);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    for (const char* name : { "Normals", "MesoPrincipalDirections" })
+    {
+      // Normals made unit twice differ by rounding.
+      EXPECT_LT(
+        DistanceOf(TupleOf(alone->GetOutput(), name, i), TupleOf(without.Mesh, name, i)), 1e-14)
+        << name << " " << i;
+    }
+  }
   for (const char* name : { "Normals", "MesoCurvature", "MesoQuadric" })
   {
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)

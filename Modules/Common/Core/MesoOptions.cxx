@@ -10,7 +10,8 @@ struct Entry
 };
 
 constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" },
-  { MesoTechnique::Relief, "relief" }, { MesoTechnique::ReliefQuadric, "relief-quadric" } };
+  { MesoTechnique::Relief, "relief" }, { MesoTechnique::ReliefQuadric, "relief-quadric" },
+  { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" } };
 constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap::Clamp, "clamp" },
@@ -190,6 +191,22 @@ bool MesoUsesHeightMap(MesoTechnique technique)
   return technique != MesoTechnique::Plain;
 }
 
+double MesoFacetsPerTexel(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+      return 0.25;
+    case MesoQuality::Low:
+      return 0.5;
+    case MesoQuality::Medium:
+      return 1.;
+    case MesoQuality::High:
+      return 2.;
+  }
+  return 1.;
+}
+
 MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
 {
   switch (technique)
@@ -202,6 +219,9 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::ReliefQuadric:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature };
+    case MesoTechnique::Tessellated:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
+        MesoEffect::Silhouette };
   }
   return {};
 }

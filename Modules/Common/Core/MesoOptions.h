@@ -19,12 +19,13 @@
 
 enum class MesoTechnique
 {
-  Plain,        ///< the base mesh, shaded
-  Relief,       ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
-  ReliefQuadric ///< over a quadric at each vertex, with outlines (Oliveira2005, section 3.2)
+  Plain,         ///< the base mesh, shaded
+  Relief,        ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
+  ReliefQuadric, ///< over a quadric at each vertex, with outlines (Oliveira2005, section 3.2)
+  Tessellated    ///< the mesh, diced and displaced: ordinary triangles
 };
 
-/// How finely a technique searches; see MesoSearchSteps().
+/// How finely a technique searches or dices; see MesoStepsOfQuality() and MesoFacetsPerTexel().
 enum class MesoQuality
 {
   Draft,
@@ -116,6 +117,9 @@ MESOCOMMONCORE_EXPORT MesoSearchSteps MesoStepsOfQuality(MesoQuality quality);
 
 /// Whether a technique draws a height map; the others have no use for one.
 MESOCOMMONCORE_EXPORT bool MesoUsesHeightMap(MesoTechnique technique);
+
+/// Facets along a texel's side, for techniques that dice: 1/4, 1/2, 1, 2.
+MESOCOMMONCORE_EXPORT double MesoFacetsPerTexel(MesoQuality quality);
 
 /// The effects that a technique can show.
 MESOCOMMONCORE_EXPORT MesoEffects MesoEffectsOfTechnique(MesoTechnique technique);

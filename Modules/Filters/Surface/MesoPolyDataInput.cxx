@@ -30,6 +30,28 @@ vtkDataArray* MesoFindNormals(vtkPolyData* input)
   return fits ? array : nullptr;
 }
 
+vtkDataArray* MesoFindTextureCoordinates(vtkPolyData* input)
+{
+  vtkPointData* data = input->GetPointData();
+  vtkDataArray* array = data->GetTCoords();
+  array = array ? array : data->GetArray("TextureCoordinates");
+  if (!array)
+  {
+    throw std::invalid_argument("the mesh has no texture coordinates");
+  }
+  if (array->GetNumberOfComponents() != 2)
+  {
+    throw std::invalid_argument("the texture coordinates have " +
+      std::to_string(array->GetNumberOfComponents()) + " components, 2 are needed");
+  }
+  if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("the mesh has " + std::to_string(input->GetNumberOfPoints()) +
+      " points, but " + std::to_string(array->GetNumberOfTuples()) + " texture coordinates");
+  }
+  return array;
+}
+
 void MesoCheckCells(vtkCellArray* cells, const char* what, vtkIdType points)
 {
   const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());

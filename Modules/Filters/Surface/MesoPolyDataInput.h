@@ -28,6 +28,10 @@ double MesoRoundingOf(vtkDataArray* array);
 /// Null where the input has no normals, or none that fit it.
 vtkDataArray* MesoFindNormals(vtkPolyData* input);
 
+/// The active ones, or an array named `TextureCoordinates`. Throws where there are none, or not two
+/// numbers for each point.
+vtkDataArray* MesoFindTextureCoordinates(vtkPolyData* input);
+
 /// Throws where a cell names a point that does not exist.
 void MesoCheckCells(vtkCellArray* cells, const char* what, vtkIdType points);
 

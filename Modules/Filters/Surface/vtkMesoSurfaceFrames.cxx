@@ -31,27 +31,6 @@ vtkDataArray* Find(vtkDataArray* active, vtkPointData* data, const char* name)
   return active ? active : data->GetArray(name);
 }
 
-vtkDataArray* FindTextureCoordinates(vtkPolyData* input)
-{
-  vtkPointData* data = input->GetPointData();
-  vtkDataArray* array = Find(data->GetTCoords(), data, "TextureCoordinates");
-  if (!array)
-  {
-    throw std::invalid_argument("the mesh has no texture coordinates");
-  }
-  if (array->GetNumberOfComponents() != 2)
-  {
-    throw std::invalid_argument("the texture coordinates have " +
-      std::to_string(array->GetNumberOfComponents()) + " components, 2 are needed");
-  }
-  if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
-  {
-    throw std::invalid_argument("the mesh has " + std::to_string(input->GetNumberOfPoints()) +
-      " points, but " + std::to_string(array->GetNumberOfTuples()) + " texture coordinates");
-  }
-  return array;
-}
-
 /// The points and their data, with copies at the end for the sources after the first `points`.
 void CopyPoints(vtkPolyData* from, const std::vector<std::int64_t>& source, vtkPolyData* to)
 {
@@ -199,7 +178,7 @@ void vtkMesoSurfaceFrames::Execute(vtkPolyData* input, vtkPolyData* output)
     return;
   }
   MesoFramesInput frame;
-  vtkDataArray* coordinates = FindTextureCoordinates(input);
+  vtkDataArray* coordinates = MesoFindTextureCoordinates(input);
   frame.TextureCoordinates = MesoTuples<2>(coordinates, "the texture coordinate");
   frame.TextureRounding = MesoRoundingOf(coordinates);
   vtkDataArray* positions = input->GetPoints()->GetData();

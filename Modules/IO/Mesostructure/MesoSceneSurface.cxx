@@ -11,8 +11,8 @@ namespace
 const std::vector<std::string> LaterShapes = { "cube", "cone", "vase", "teapot", "undulating",
   "branch" };
 const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-object", "parallax",
-  "horizon", "displacement", "tessellated", "geometry-image", "relief-quadric-exact", "vdm", "gdm",
-  "slices", "shell-sdf" };
+  "horizon", "displacement", "geometry-image", "relief-quadric-exact", "vdm", "gdm", "slices",
+  "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "certified", "full" };
 
 /// A word of a list, for ToChoice.
@@ -287,6 +287,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       node.Map = ReadMap(map);
       node.Map->IsDepth = true;
     });
+  const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (!node.Map)
   {
     value.Refuse(

@@ -98,7 +98,7 @@ std::array<double, 2> MesoSymmetricRangeOf(vtkDataArray* array, int component)
   {
     return { -1., 1. };
   }
-  const auto place = sizes.begin() + static_cast<std::ptrdiff_t>(0.98 * (sizes.size() - 1.));
+  const auto place = sizes.begin() + static_cast<std::ptrdiff_t>(0.9 * (sizes.size() - 1.));
   std::nth_element(sizes.begin(), place, sizes.end());
   return { -*place, *place };
 }

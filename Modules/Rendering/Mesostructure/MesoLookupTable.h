@@ -32,9 +32,9 @@ MESORENDERINGMESOSTRUCTURE_EXPORT std::array<double, 2> MesoRangeOf(
   vtkDataArray* array, int component);
 
 /**
- * [-r, r] for values with a sign whose few largest are not to be believed: r is the 98th percentile
- * of the sizes of all finite values but 0, which is what the curvature filters give where there is
- * nothing to say. [-1, 1] where there is none.
+ * [-r, r] for values with a sign of which a few are far larger than the rest, as curvatures are at
+ * tips and creases: r is the 90th percentile of the sizes of all finite values but 0, which is what
+ * the filters give where there is nothing to say. [-1, 1] where there is none.
  */
 MESORENDERINGMESOSTRUCTURE_EXPORT std::array<double, 2> MesoSymmetricRangeOf(
   vtkDataArray* array, int component);

@@ -9,6 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoImageReader.h"
 #include "vtkMesoMeshReader.h"
 #include "vtkMesoPatternSource.h"
@@ -16,6 +17,7 @@
 #include "vtkMesoReliefMapper.h"
 #include "vtkMesoShapeSource.h"
 #include "vtkMesoSurfaceFrames.h"
+#include "vtkMesoTessellatedMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
@@ -25,6 +27,7 @@
 #include "vtkTexture.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -284,6 +287,41 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
   return fit->GetOutput();
 }
 
+vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(const Object& object, const std::string& place)
+{
+  const MesoEffects effects = MesoEffectsOn(object.Options);
+  if (effects.Empty())
+  {
+    return object.Mesh;
+  }
+  const MesoEffects ofGeometry = { MesoEffect::Occlusion, MesoEffect::Depth,
+    MesoEffect::Silhouette };
+  if (!ofGeometry.Without(effects).Empty())
+  {
+    throw MesoInputError(place +
+      ": technique tessellated shows occlusion, depth and silhouette together: all of them must be "
+      "among its effects, or no effect at all");
+  }
+  vtkNew<vtkMesoDisplacedMesh> diced;
+  diced->SetInputData(object.Mesh);
+  diced->SetHeightMapData(object.HeightMap);
+  diced->SetScale(object.Options.Scale);
+  diced->SetTiles(object.Options.Tiles[0], object.Options.Tiles[1]);
+  diced->SetWrap(object.Options.Wrap);
+  diced->SetFacetsPerTexel(MesoFacetsPerTexel(object.Options.Quality));
+  diced->SetDetailNormals(effects.Has(MesoEffect::Shading));
+  MesoRunAlgorithm(diced, place, this->Warnings);
+  if (diced->GetNumberOfTornEdges() > 0)
+  {
+    std::ostringstream warning;
+    warning << place << ": the surface is torn along " << diced->GetNumberOfTornEdges()
+            << " edges of the mesh, by up to " << diced->GetLargestTear()
+            << ", where the map does not continue across a seam or normals differ";
+    this->Warnings.push_back(warning.str());
+  }
+  return diced->GetOutput();
+}
+
 void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node,
   const std::string& place, const std::array<double, 16>& parentMatrix, vtkRenderer* renderer)
 {
@@ -308,20 +346,26 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       object.Mesh = MesoWithColorArray(
         object.Mesh, *node.Material.ColorBy, inScene + ".material.color_by", this->Warnings);
     }
-    if (MesoUsesHeightMap(node.Mesostructure.Technique))
+    const MesoTechnique technique = node.Mesostructure.Technique;
+    if (MesoUsesHeightMap(technique) && node.Mesostructure.Scale == 0.)
+    {
+      this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
+    }
+    if (technique == MesoTechnique::Relief || technique == MesoTechnique::ReliefQuadric)
     {
       if (MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Curvature))
       {
         object.Mesh =
           this->WithQuadrics(object.Mesh, node.Mesostructure.Quadric, inScene + ".mesh");
       }
-      if (node.Mesostructure.Scale == 0.)
-      {
-        this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
-      }
       vtkNew<vtkMesoReliefMapper> relief;
       relief->SetHeightMap(object.HeightMap);
       object.Mapper = relief;
+    }
+    else if (technique == MesoTechnique::Tessellated)
+    {
+      object.Mesh = this->Dice(object, inScene + ".mesostructure");
+      object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
     }
     else
     {

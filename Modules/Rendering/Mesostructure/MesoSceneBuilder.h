@@ -33,7 +33,7 @@ public:
     std::string Name;
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
-    vtkSmartPointer<vtkPolyData> Mesh;       ///< with its frames
+    vtkSmartPointer<vtkPolyData> Mesh;       ///< what is drawn: with its frames, or diced
     vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
     MesoMesostructureOptions Options;
   };
@@ -55,6 +55,9 @@ private:
     const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);
   vtkSmartPointer<vtkPolyData> WithQuadrics(
     vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
+
+  /// The object's mesh as the technique tessellated draws it.
+  vtkSmartPointer<vtkPolyData> Dice(const Object& object, const std::string& place);
 
   std::vector<Object> Objects;
   std::vector<std::string> Warnings;

@@ -23,13 +23,14 @@ struct MesoShaderShape
   bool Traces = false;      ///< the technique looks for a surface other than the base mesh
   bool UsesFrame = false;   ///< it needs the tangent frame of the vertices
   bool WritesDepth = false; ///< the depth buffer is that of the detail
+  bool Displaced = false;   ///< the mesh itself is the detail, with its depth in MesoRelief
 
   bool operator==(const MesoShaderShape& other) const
   {
     return this->Chunks == other.Chunks && this->VertexChunks == other.VertexChunks &&
       this->Attributes == other.Attributes && this->Defines == other.Defines &&
       this->Traces == other.Traces && this->UsesFrame == other.UsesFrame &&
-      this->WritesDepth == other.WritesDepth;
+      this->WritesDepth == other.WritesDepth && this->Displaced == other.Displaced;
   }
 };
 

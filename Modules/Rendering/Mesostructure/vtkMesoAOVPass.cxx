@@ -283,7 +283,8 @@ void vtkMesoAOVPass::ReadBack()
     {
       glPixelStorei(zero, 0);
     }
-    glPixelStorei(GL_PACK_ALIGNMENT, 4); // OpenGL's default
+    // Rows of four floats have any alignment that is set. To set one behind the back of VTK, which
+    // remembers its own, would make VTK's next reading of a picture run over the end of its memory.
     glReadPixels(0, 0, this->Size[0], this->Size[1], GL_RGBA, GL_FLOAT, pixels.data());
     this->Targets.push_back(std::move(pixels));
   }

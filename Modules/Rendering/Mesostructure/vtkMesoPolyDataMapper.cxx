@@ -229,6 +229,12 @@ void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool num
 {
   if (!shape.Traces && !numbers)
   {
+    this->RemoveVertexAttributeMapping("mesoTCoord"); // left by AOVs
+    this->RemoveVertexAttributeMapping("mesoNormal");
+    for (const auto& attribute : shape.Attributes)
+    {
+      this->RemoveVertexAttributeMapping(attribute.first.c_str());
+    }
     return;
   }
   vtkPointData* points = this->CurrentInput->GetPointData();
@@ -270,7 +276,7 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->WarnOnce("Clipping planes cut the base mesh, not the relief below it.");
   }
-  this->EffectsDrawn = !this->WhyPlain.empty() || !shape.Traces
+  this->EffectsDrawn = !this->WhyPlain.empty() || !(shape.Traces || shape.Displaced)
     ? MesoEffects()
     : (this->Options.Effects.Auto ? MesoEffectsOfTechnique(this->TechniqueOf(this->Options))
                                   : this->Options.Effects.Named);
@@ -349,6 +355,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   if (build.Surface)
   {
     define("MESO_FRAME", shape.UsesFrame);
+    define("MESO_DISPLACED", shape.Displaced);
     defines.insert(defines.end(), shape.Defines.begin(), shape.Defines.end());
   }
   build.Definitions = MesoShaderAssembler::DefineLines(defines);

@@ -39,7 +39,7 @@ bool MesoTrianglePatch::Spans(const std::array<glm::dvec2, 3>& places)
 }
 
 MesoTrianglePatch::MesoTrianglePatch(const std::array<glm::dvec3, 3>& positions,
-  const std::array<glm::dvec3, 3>& normals, const std::array<glm::dvec2, 3>& places)
+  const std::array<glm::dvec3, 3>& normals, const std::array<glm::dvec2, 3>& places, bool mirrored)
   : Start(places[0])
   , P0(positions[0])
   , M0(normals[0])
@@ -58,7 +58,7 @@ MesoTrianglePatch::MesoTrianglePatch(const std::array<glm::dvec3, 3>& positions,
   this->Py = along(positions, 1);
   this->Mx = along(normals, 0);
   this->My = along(normals, 1);
-  this->Sign = area > 0. ? 1. : -1.;
+  this->Sign = (area > 0.) != mirrored ? 1. : -1.;
   const auto x = std::minmax({ places[0].x, places[1].x, places[2].x });
   const auto y = std::minmax({ places[0].y, places[1].y, places[2].y });
   const double widen = EdgeTolerance * (x.second - x.first + y.second - y.first);
@@ -83,8 +83,7 @@ void MesoTrianglePatch::Evaluate(
   // With N = m / |m| and m linear: |N_x| <= |m_x| / |m|, |N_xy| <= 3 |m_x| |m_y| / |m|^2.
   const double alongX = glm::length(this->Mx);
   const double alongY = glm::length(this->My);
-  const double least =
-    length - 0.5 * (alongX * (rect.X1 - rect.X0) + alongY * (rect.Y1 - rect.Y0));
+  const double least = length - 0.5 * (alongX * (rect.X1 - rect.X0) + alongY * (rect.Y1 - rect.Y0));
   bends = MesoBaseBends();
   bends.Wild = !(least > 0.1 * length);
   if (!bends.Wild)
@@ -107,8 +106,7 @@ glm::dvec3 MesoTrianglePatch::Weights(double x, double y) const
 
 bool MesoTrianglePatch::Misses(const MesoRect& rect) const
 {
-  const glm::dvec3 weights =
-    this->Weights(0.5 * (rect.X0 + rect.X1), 0.5 * (rect.Y0 + rect.Y1));
+  const glm::dvec3 weights = this->Weights(0.5 * (rect.X0 + rect.X1), 0.5 * (rect.Y0 + rect.Y1));
   const double halfX = 0.5 * (rect.X1 - rect.X0);
   const double halfY = 0.5 * (rect.Y1 - rect.Y0);
   return Greatest(weights.x, this->Weight1 + this->Weight2, halfX, halfY) < -EdgeTolerance ||
@@ -127,16 +125,15 @@ MesoBox MesoTrianglePatch::Bounds(const glm::dmat4& matrix, double low, double h
   // Corner 1 lies where the weights are (0, 1, 0): found back from their slopes.
   const double area =
     this->Weight1.x * this->Weight2.y - this->Weight1.y * this->Weight2.x; // 1 / the places'
-  const glm::dvec2 steps[3] = { { 0., 0. },
-    glm::dvec2(this->Weight2.y, -this->Weight2.x) / area,
+  const glm::dvec2 steps[3] = { { 0., 0. }, glm::dvec2(this->Weight2.y, -this->Weight2.x) / area,
     glm::dvec2(-this->Weight1.y, this->Weight1.x) / area };
   MesoBox box;
   glm::dvec3 normals[3];
   glm::dvec3 mean(0.);
   for (int k = 0; k < 3; ++k)
   {
-    const glm::dvec3 corner = glm::dvec3(
-      matrix * glm::dvec4(this->P0 + steps[k].x * this->Px + steps[k].y * this->Py, 1.));
+    const glm::dvec3 corner =
+      glm::dvec3(matrix * glm::dvec4(this->P0 + steps[k].x * this->Px + steps[k].y * this->Py, 1.));
     box.Low = k == 0 ? corner : glm::min(box.Low, corner);
     box.High = k == 0 ? corner : glm::max(box.High, corner);
     normals[k] = this->M0 + steps[k].x * this->Mx + steps[k].y * this->My;
@@ -184,8 +181,9 @@ void MesoShapePatch::Evaluate(
   // All shapes but the plane are surfaces of revolution: their normal turns by 2 pi along u, and
   // along v by pi (sphere), 2 pi (torus) or not at all (cylinder).
   const double turnU = this->Shape.ClosesAlongU() ? TwoPi : 0.;
-  const double turnV =
-    this->Shape.HasPoles() ? 0.5 * TwoPi : this->Shape.ClosesAlongV() ? TwoPi : 0.;
+  const double turnV = this->Shape.HasPoles() ? 0.5 * TwoPi
+    : this->Shape.ClosesAlongV()              ? TwoPi
+                                              : 0.;
   const glm::dvec3 east = ToVector(point.Tangent);
   const glm::dvec3 up = ToVector(point.Bitangent);
   middle.P = ToVector(point.Position);
@@ -225,8 +223,8 @@ bool MesoShapePatch::Misses(const MesoRect& rect) const
 
 bool MesoShapePatch::Contains(double x, double y) const
 {
-  const double widen = EdgeTolerance *
-    (1. + this->Around.X1 - this->Around.X0 + this->Around.Y1 - this->Around.Y0);
+  const double widen =
+    EdgeTolerance * (1. + this->Around.X1 - this->Around.X0 + this->Around.Y1 - this->Around.Y0);
   return x >= this->Around.X0 - widen && x <= this->Around.X1 + widen &&
     y >= this->Around.Y0 - widen && y <= this->Around.Y1 + widen;
 }

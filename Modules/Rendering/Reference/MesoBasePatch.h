@@ -87,7 +87,7 @@ public:
 
   /// The least rectangle around the domain.
   const MesoRect& Domain() const { return this->Around; }
-  /// +1 where Px x Py lies on the front side, by the patch's own winding, else -1.
+  /// +1 where Px x Py points to the front side, by the patch's own winding, else -1.
   double Orientation() const { return this->Sign; }
 
 protected:
@@ -100,9 +100,11 @@ class MESORENDERINGREFERENCE_EXPORT MesoTrianglePatch final : public MesoBasePat
 {
 public:
   /// Corners' positions, normals (of any length) and places (x, y), which must span an area. The
-  /// front is the side from which the corners run counter-clockwise.
+  /// front is the side from which the corners run counter-clockwise; clockwise where a mirror is
+  /// still to come.
   MesoTrianglePatch(const std::array<glm::dvec3, 3>& positions,
-    const std::array<glm::dvec3, 3>& normals, const std::array<glm::dvec2, 3>& places);
+    const std::array<glm::dvec3, 3>& normals, const std::array<glm::dvec2, 3>& places,
+    bool mirrored = false);
 
   void Evaluate(const MesoRect& rect, MesoBasePoint& middle, MesoBaseBends& bends) const override;
   bool Misses(const MesoRect& rect) const override;

@@ -18,8 +18,7 @@ double Cross(const glm::dvec2& a, const glm::dvec2& b)
 
 MesoRect Overlap(const MesoRect& a, const MesoRect& b)
 {
-  return { std::max(a.X0, b.X0), std::min(a.X1, b.X1), std::max(a.Y0, b.Y0),
-    std::min(a.Y1, b.Y1) };
+  return { std::max(a.X0, b.X0), std::min(a.X1, b.X1), std::max(a.Y0, b.Y0), std::min(a.Y1, b.Y1) };
 }
 
 double LargestPartOf(const glm::dvec3& v)
@@ -46,8 +45,7 @@ MesoPatchSolver::MesoPatchSolver(
 
 double MesoPatchSolver::Rounding(const glm::dvec3& middle) const
 {
-  return 32. * Epsilon *
-    (this->LargestPart + LargestPartOf(middle) + std::abs(this->Over.Scale));
+  return 32. * Epsilon * (this->LargestPart + LargestPartOf(middle) + std::abs(this->Over.Scale));
 }
 
 bool MesoPatchSolver::Touches(const Enclosure& enclosure, double& tLow) const
@@ -158,8 +156,7 @@ bool MesoPatchSolver::FirstHit(const MesoBasePatch& patch, const MesoDisplacemen
   return this->Found;
 }
 
-void MesoPatchSolver::VisitTiles(
-  std::int64_t x0, std::int64_t x1, std::int64_t y0, std::int64_t y1)
+void MesoPatchSolver::VisitTiles(std::int64_t x0, std::int64_t x1, std::int64_t y0, std::int64_t y1)
 {
   if (this->Finished())
   {
@@ -189,11 +186,10 @@ void MesoPatchSolver::VisitTiles(
   for (int k = 0; k < 2; ++k)
   {
     Part& part = parts[k];
-    const MesoRect rect = Overlap({ map.X().Low(part.X0, 0),
-                                    map.X().High(part.X1, map.X().Cells() - 1),
-                                    map.Y().Low(part.Y0, 0),
-                                    map.Y().High(part.Y1, map.Y().Cells() - 1) },
-      this->Patch->Domain());
+    const MesoRect rect =
+      Overlap({ map.X().Low(part.X0, 0), map.X().High(part.X1, map.X().Cells() - 1),
+                map.Y().Low(part.Y0, 0), map.Y().High(part.Y1, map.Y().Cells() - 1) },
+        this->Patch->Domain());
     reached[k] = !rect.Empty() && !this->Patch->Misses(rect) &&
       this->Reaches(rect, range.Low, range.High, part.TLow);
   }
@@ -226,8 +222,7 @@ bool MesoPatchSolver::BlockReached(std::int64_t tileX, std::int64_t tileY, Block
   {
     return false;
   }
-  const MesoHeightPyramid::Range range =
-    this->Over.Map->RangeOf(block.Level, block.I, block.J);
+  const MesoHeightPyramid::Range range = this->Over.Map->RangeOf(block.Level, block.I, block.J);
   return this->Reaches(rect, range.Low, range.High, block.TLow);
 }
 
@@ -315,10 +310,48 @@ MesoPatchSolver::Offset MesoPatchSolver::OffsetAt(const Cell& cell, double x, do
   const double a = x - cell.X0;
   const double b = y - cell.Y0;
   const double scale = this->Over.Scale;
-  return {
-    (cell.H00 - this->Over.Reference + a * cell.HX + b * cell.HY + a * b * cell.HXY) * scale,
-    (cell.HX + b * cell.HXY) * scale, (cell.HY + a * cell.HXY) * scale, cell.HXY * scale
-  };
+  return { (cell.H00 - this->Over.Reference + a * cell.HX + b * cell.HY + a * b * cell.HXY) * scale,
+    (cell.HX + b * cell.HXY) * scale, (cell.HY + a * cell.HXY) * scale, cell.HXY * scale };
+}
+
+MesoPatchSolver::Expansion MesoPatchSolver::Expand(const Cell& cell, const MesoRect& rect) const
+{
+  MesoBasePoint middle;
+  MesoBaseBends bends;
+  this->Patch->Evaluate(rect, middle, bends);
+  const double x = 0.5 * (rect.X1 - rect.X0);
+  const double y = 0.5 * (rect.Y1 - rect.Y0);
+  const Offset at = this->OffsetAt(cell, 0.5 * (rect.X0 + rect.X1), 0.5 * (rect.Y0 + rect.Y1));
+  const double twist = std::abs(at.Gxy);
+  const double mostGx = std::abs(at.Gx) + twist * y;
+  const double mostGy = std::abs(at.Gy) + twist * x;
+  const double mostG = std::abs(at.G) + std::abs(at.Gx) * x + mostGy * y;
+
+  Expansion result;
+  result.Wild = bends.Wild;
+  result.Normal = middle.N;
+  result.Around.NumberOfEdges = 2;
+  if (bends.Wild)
+  {
+    result.Around.Middle = middle.P;
+    result.Around.Edges[0] = x * middle.Px;
+    result.Around.Edges[1] = y * middle.Py;
+    result.Around.Ball =
+      mostG + 0.5 * (bends.Pxx * x * x + 2. * bends.Pxy * x * y + bends.Pyy * y * y);
+    result.ChangeX = result.ChangeY = 0.;
+    return result;
+  }
+  // Bounds of q's second derivatives.
+  const double xx = bends.Pxx + 2. * mostGx * bends.Nx + mostG * bends.Nxx;
+  const double xy = bends.Pxy + twist + mostGx * bends.Ny + mostGy * bends.Nx + mostG * bends.Nxy;
+  const double yy = bends.Pyy + 2. * mostGy * bends.Ny + mostG * bends.Nyy;
+  result.Around.Middle = middle.P + at.G * middle.N;
+  result.Around.Edges[0] = x * (middle.Px + at.Gx * middle.N + at.G * middle.Nx);
+  result.Around.Edges[1] = y * (middle.Py + at.Gy * middle.N + at.G * middle.Ny);
+  result.Around.Ball = 0.5 * (xx * x * x + 2. * xy * x * y + yy * y * y);
+  result.ChangeX = xx * x * x + xy * x * y;
+  result.ChangeY = yy * y * y + xy * x * y;
+  return result;
 }
 
 void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int depth)
@@ -333,60 +366,23 @@ void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int dep
     ++this->Done.Unresolved;
     return;
   }
-  MesoBasePoint middle;
-  MesoBaseBends bends;
-  this->Patch->Evaluate(rect, middle, bends);
-  const double x = 0.5 * (rect.X1 - rect.X0);
-  const double y = 0.5 * (rect.Y1 - rect.Y0);
-  const Offset at =
-    this->OffsetAt(cell, 0.5 * (rect.X0 + rect.X1), 0.5 * (rect.Y0 + rect.Y1));
-  const double twist = std::abs(at.Gxy);
-  const double mostGx = std::abs(at.Gx) + twist * y;
-  const double mostGy = std::abs(at.Gy) + twist * x;
-  const double mostG = std::abs(at.G) + std::abs(at.Gx) * x + mostGy * y;
-  const glm::dvec3 qx = middle.Px + at.Gx * middle.N + at.G * middle.Nx;
-  const glm::dvec3 qy = middle.Py + at.Gy * middle.N + at.G * middle.Ny;
-
-  Enclosure enclosure;
-  enclosure.NumberOfEdges = 2;
+  const Expansion piece = this->Expand(cell, rect);
   double tLow = 0.;
-  if (bends.Wild)
+  if (!this->Touches(piece.Around, tLow))
   {
-    enclosure.Middle = middle.P;
-    enclosure.Edges[0] = x * middle.Px;
-    enclosure.Edges[1] = y * middle.Py;
-    enclosure.Ball = mostG + 0.5 * (bends.Pxx * x * x + 2. * bends.Pxy * x * y + bends.Pyy * y * y);
-    if (!this->Touches(enclosure, tLow))
-    {
-      return;
-    }
+    return;
   }
-  else
+  const glm::dvec2 jx = this->Across(piece.Around.Edges[0]); // the Jacobian, in units of the piece
+  const glm::dvec2 jy = this->Across(piece.Around.Edges[1]);
+  const double lengthX = std::sqrt(glm::dot(jx, jx));
+  const double lengthY = std::sqrt(glm::dot(jy, jy));
+  if (!piece.Wild)
   {
-    // Bounds of q's second derivatives; Taylor about the middle.
-    const double xx = bends.Pxx + 2. * mostGx * bends.Nx + mostG * bends.Nxx;
-    const double xy =
-      bends.Pxy + twist + mostGx * bends.Ny + mostGy * bends.Nx + mostG * bends.Nxy;
-    const double yy = bends.Pyy + 2. * mostGy * bends.Ny + mostG * bends.Nyy;
-    enclosure.Middle = middle.P + at.G * middle.N;
-    enclosure.Edges[0] = x * qx;
-    enclosure.Edges[1] = y * qy;
-    enclosure.Ball = 0.5 * (xx * x * x + 2. * xy * x * y + yy * y * y);
-    if (!this->Touches(enclosure, tLow))
-    {
-      return;
-    }
-    // The Jacobian in units of the piece, and by how much its columns change on it.
-    const glm::dvec2 jx = this->Across(enclosure.Edges[0]);
-    const glm::dvec2 jy = this->Across(enclosure.Edges[1]);
-    const double changeX = xx * x * x + xy * x * y;
-    const double changeY = yy * y * y + xy * x * y;
     const double determinant = Cross(jx, jy);
-    const double lengthX = std::sqrt(glm::dot(jx, jx));
-    const double lengthY = std::sqrt(glm::dot(jy, jy));
-    const double change = lengthX * changeY + lengthY * changeX + changeX * changeY;
-    const double edgeOn = 64. * Epsilon * glm::length(enclosure.Edges[0]) *
-      glm::length(enclosure.Edges[1]);
+    const double change =
+      lengthX * piece.ChangeY + lengthY * piece.ChangeX + piece.ChangeX * piece.ChangeY;
+    const double edgeOn =
+      64. * Epsilon * glm::length(piece.Around.Edges[0]) * glm::length(piece.Around.Edges[1]);
     if (this->Wanted != 0. ? this->Wanted * determinant + change <= edgeOn
                            : std::abs(determinant) + change <= edgeOn)
     {
@@ -394,7 +390,7 @@ void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int dep
     }
     // Least singular value by the determinant: |det| = least * greatest.
     const double greatest = std::sqrt(lengthX * lengthX + lengthY * lengthY);
-    const double varies = std::sqrt(changeX * changeX + changeY * changeY);
+    const double varies = std::sqrt(piece.ChangeX * piece.ChangeX + piece.ChangeY * piece.ChangeY);
     if (std::abs(determinant) > 1.5 * varies * greatest && std::abs(determinant) > edgeOn &&
       this->Newton(cell, rect))
     {
@@ -403,9 +399,12 @@ void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int dep
   }
   if (depth >= DeepestPiece)
   {
-    return; // touches the ray no nearer than rounding can tell
+    this->TakePinched(piece, rect);
+    return;
   }
-  const bool alongX = bends.Wild ? x >= y : x * glm::length(qx) >= y * glm::length(qy);
+  // Along the direction that keeps the piece from being decided: as the ray sees it.
+  const bool alongX = piece.Wild ? rect.X1 - rect.X0 >= rect.Y1 - rect.Y0
+                                 : lengthX + piece.ChangeX >= lengthY + piece.ChangeY;
   MesoRect parts[2] = { rect, rect };
   if (alongX)
   {
@@ -417,6 +416,26 @@ void MesoPatchSolver::SolvePiece(const Cell& cell, const MesoRect& rect, int dep
   }
   this->SolvePiece(cell, parts[0], depth + 1);
   this->SolvePiece(cell, parts[1], depth + 1);
+}
+
+void MesoPatchSolver::TakePinched(const Expansion& piece, const MesoRect& rect)
+{
+  const glm::dvec3 to = piece.Around.Middle - this->Origin;
+  const double wide = piece.Around.Ball + glm::length(this->Across(piece.Around.Edges[0])) +
+    glm::length(this->Across(piece.Around.Edges[1]));
+  const double size = this->LargestPart + LargestPartOf(piece.Around.Middle);
+  const double residual = glm::length(this->Across(to)) / size;
+  const double turn = glm::dot(piece.Normal, this->Direction) * this->Patch->Orientation();
+  const double t = glm::dot(to, this->Direction) * this->PerSquare;
+  if (piece.Wild || wide > ResidualLimit * size || residual > ResidualLimit ||
+    this->Wanted * turn < 0. || !(t > this->TMin && t < this->TMax))
+  {
+    return;
+  }
+  this->TMax = t;
+  this->Best = { t, 0.5 * (rect.X0 + rect.X1), 0.5 * (rect.Y0 + rect.Y1),
+    turn * this->Patch->Orientation() < 0. };
+  this->Found = true;
 }
 
 bool MesoPatchSolver::Newton(const Cell& cell, const MesoRect& rect)

@@ -18,9 +18,10 @@
  *    method finds the only root there can be.
  *
  * Enclosures are widened by rounding, and neighbouring pieces overlap by 1e-11 of a cell, so that
- * no root falls between two. A piece that stays undecided down to 2^-30 of a cell touches the ray
- * tangentially to within rounding and counts as missed; a cell that needs more than EvaluationLimit
- * pieces (a sheet seen edge-on) is given up and counted as unresolved.
+ * no root falls between two. A piece that stays undecided through 60 halvings and is a point as the
+ * ray sees it touches the ray to within rounding, tangentially or at a pole of its chart: it is a hit
+ * where N says that it faces the right way. A cell that needs more than EvaluationLimit pieces (a
+ * sheet seen edge-on) is given up and counted as unresolved.
  *
  * Moore, Kearfott, Cloud, "Introduction to Interval Analysis", SIAM 2009, chapters 6 and 8 (mean
  * value forms, uniqueness of roots); the separating axes are those of a zonotope's shadow.
@@ -34,10 +35,10 @@
 /// How much there was to do.
 struct MesoSolverWork
 {
-  std::uint64_t Blocks = 0;      ///< enclosures of blocks of cells
-  std::uint64_t Pieces = 0;      ///< enclosures of cells and their pieces
-  std::uint64_t Unresolved = 0;  ///< cells given up
-  double LargestResidual = 0.;   ///< of accepted hits: |q - ray| / size of what was added up
+  std::uint64_t Blocks = 0;     ///< enclosures of blocks of cells
+  std::uint64_t Pieces = 0;     ///< enclosures of cells and their pieces
+  std::uint64_t Unresolved = 0; ///< cells given up
+  double LargestResidual = 0.;  ///< of accepted hits: |q - ray| / size of what was added up
 };
 
 /// What is laid over a patch.
@@ -109,13 +110,26 @@ private:
     double TLow;
   };
 
+  /// A piece of a cell, expanded about its middle to first order.
+  struct Expansion
+  {
+    Enclosure Around;
+    glm::dvec3 Normal; ///< N
+    double ChangeX;    ///< by how much the first edge's derivative changes on the piece, at most
+    double ChangeY;    ///< the second's
+    bool Wild;         ///< nothing is known of derivatives
+  };
+
   void VisitTiles(std::int64_t x0, std::int64_t x1, std::int64_t y0, std::int64_t y1);
   void VisitTile(std::int64_t tileX, std::int64_t tileY);
   void VisitBlock(std::int64_t tileX, std::int64_t tileY, const Block& block);
   bool BlockReached(std::int64_t tileX, std::int64_t tileY, Block& block);
   MesoRect RectOf(std::int64_t tileX, std::int64_t tileY, int level, int i, int j) const;
   void SolveCell(std::int64_t tileX, std::int64_t tileY, int i, int j);
+  Expansion Expand(const Cell& cell, const MesoRect& rect) const;
   void SolvePiece(const Cell& cell, const MesoRect& rect, int depth);
+  /// Take a piece that cannot be decided as a hit where it is a point to the ray.
+  void TakePinched(const Expansion& piece, const MesoRect& rect);
   bool Reaches(const MesoRect& rect, double low, double high, double& tLow);
   bool Touches(const Enclosure& enclosure, double& tLow) const;
   bool Newton(const Cell& cell, const MesoRect& rect);
@@ -140,7 +154,7 @@ private:
   glm::dvec3 Direction;
   glm::dvec3 Axis0; ///< with Axis1 and the direction right-handed and orthonormal
   glm::dvec3 Axis1;
-  double PerSquare;  ///< 1 / |d|^2
+  double PerSquare;   ///< 1 / |d|^2
   double LargestPart; ///< of the origin
   double TMin;
   double TMax;

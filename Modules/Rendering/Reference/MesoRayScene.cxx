@@ -88,9 +88,12 @@ void FilterTriangle(const RTCFilterFunctionNArguments* arguments)
   const auto* geometry = static_cast<const Geometry*>(arguments->geometryUserPtr);
   const double t = context->TEntry +
     static_cast<double>(RTCRayN_tfar(arguments->ray, arguments->N, 0)) * context->PerT;
+  const glm::vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, 0),
+    RTCRayN_dir_y(arguments->ray, arguments->N, 0), RTCRayN_dir_z(arguments->ray, arguments->N, 0));
+  const glm::vec3 normal(RTCHitN_Ng_x(arguments->hit, arguments->N, 0),
+    RTCHitN_Ng_y(arguments->hit, arguments->N, 0), RTCHitN_Ng_z(arguments->hit, arguments->N, 0));
   const bool taken = context->Query->TestTriangle(geometry->Number,
-    RTCHitN_primID(arguments->hit, arguments->N, 0), t,
-    RTCHitN_u(arguments->hit, arguments->N, 0), RTCHitN_v(arguments->hit, arguments->N, 0));
+    RTCHitN_primID(arguments->hit, arguments->N, 0), t, glm::dot(normal, direction) < 0.f);
   arguments->valid[0] = taken ? -1 : 0;
 }
 }
@@ -221,8 +224,7 @@ void MesoRayScene::Implementation::Attach(Geometry& geometry)
     }
     geometry.Boxes = {};
     handle = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(
-      handle, static_cast<unsigned int>(geometry.FloatBoxes.size()));
+    rtcSetGeometryUserPrimitiveCount(handle, static_cast<unsigned int>(geometry.FloatBoxes.size()));
     rtcSetGeometryBoundsFunction(
       handle, [](const RTCBoundsFunctionArguments* arguments) { BoundsOf(arguments); }, nullptr);
     rtcSetGeometryIntersectFunction(handle, IntersectPrimitive);
@@ -232,9 +234,9 @@ void MesoRayScene::Implementation::Attach(Geometry& geometry)
     handle = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(handle, RTC_BUFFER_TYPE_VERTEX, 0,
       RTC_FORMAT_FLOAT3, 3 * sizeof(float), geometry.Points.size()));
-    auto* corners = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(handle, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-        3 * sizeof(std::uint32_t), geometry.Triangles.size()));
+    auto* corners =
+      static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(handle, RTC_BUFFER_TYPE_INDEX, 0,
+        RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), geometry.Triangles.size()));
     this->Check("hold the triangles");
     for (std::size_t i = 0; i < geometry.Points.size(); ++i)
     {

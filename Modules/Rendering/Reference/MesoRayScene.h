@@ -15,7 +15,7 @@
  * MesoRayQuery::TestTriangle.
  */
 
-#include "MesoBasePatch.h" // for MesoBox
+#include "MesoBasePatch.h"                // for MesoBox
 #include "mesoRenderingReferenceModule.h" // for export macro
 
 #include <array>
@@ -39,9 +39,9 @@ public:
 
   /// Look at a primitive, whose box the ray may meet.
   virtual void Test(int geometry, unsigned int primitive) = 0;
-  /// Look at a triangle that the ray meets at t (float), weights u, v of its second and third
-  /// corner. False: the ray passes through.
-  virtual bool TestTriangle(int geometry, unsigned int primitive, double t, double u, double v) = 0;
+  /// Look at a triangle that the ray meets at t, as exact as float is; `front`: on the side from which
+  /// its corners run counter-clockwise. False: the ray passes through.
+  virtual bool TestTriangle(int geometry, unsigned int primitive, double t, bool front) = 0;
 };
 
 class MESORENDERINGREFERENCE_EXPORT MesoRayScene
@@ -54,8 +54,7 @@ public:
 
   /// Add primitives 0 to count - 1 with their boxes; a box that is not finite is left out. Returns
   /// the number that queries are told, from 0 in order of adding.
-  int AddPrimitives(
-    std::size_t count, const std::function<MesoBox(std::size_t primitive)>& boxOf);
+  int AddPrimitives(std::size_t count, const std::function<MesoBox(std::size_t primitive)>& boxOf);
   /// Add triangles by their corners.
   int AddTriangles(
     const std::vector<glm::dvec3>& points, std::vector<std::array<std::uint32_t, 3>> triangles);

@@ -6,6 +6,7 @@
 #include "MesoSceneBuilder.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
+#include "vtkMesoPolyDataMapper.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -44,6 +45,39 @@ void CollectMeshes(const std::vector<MesoSceneNode>& nodes, std::vector<MesoScen
   }
 }
 
+/// All that detail does, whatever the nodes' techniques show of it; and their base meshes, where a
+/// technique would dice them.
+void ShowAllDetail(std::vector<MesoSceneNode>& nodes)
+{
+  for (MesoSceneNode& node : nodes)
+  {
+    if (MesoUsesHeightMap(node.Mesostructure.Technique))
+    {
+      node.Mesostructure.Technique = MesoTechnique::Relief;
+      node.Mesostructure.Effects = MesoEffectChoice();
+    }
+    ShowAllDetail(node.Children);
+  }
+}
+
+/// What of an object's looks the reference does not show; empty where it shows them all.
+std::string NotShown(const MesoSceneBuilder::Object& object)
+{
+  if (object.Actor->GetProperty()->GetEdgeVisibility())
+  {
+    return "edges";
+  }
+  if (object.Actor->GetProperty()->GetOpacity() < 1.)
+  {
+    return "translucent nodes";
+  }
+  if (object.Mapper->GetScalarVisibility() || object.Mapper->GetHeightColors())
+  {
+    return "colors by arrays or heights (color_by)";
+  }
+  return {};
+}
+
 double SecondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -67,8 +101,7 @@ struct MesoReference::Implementation
   std::vector<MesoReferenceLight> Lights;
   std::vector<std::unique_ptr<MesoReferenceSurface>> Surfaces;
   std::vector<MesoReferenceMaterial> Materials;
-  std::vector<bool> ShadowsShown; ///< whether the technique shades itself
-  std::vector<int> Numbers;       ///< of the nodes
+  std::vector<int> Numbers; ///< of the nodes
   std::unique_ptr<MesoReferenceTracer> Tracer;
   MesoSceneBuilder Builder;
   vtkNew<vtkRenderer> Renderer; ///< never rendered: it holds lights and camera
@@ -81,10 +114,9 @@ struct MesoReference::Implementation
   {
   }
 
-  Sample Look(double x, double y, double aspect, std::vector<double>& blocked,
-    MesoTraceWork& work) const;
-  void FindBlocked(
-    const Sample& sample, const glm::dvec3& place, std::vector<double>& blocked,
+  Sample Look(
+    double x, double y, double aspect, std::vector<double>& blocked, MesoTraceWork& work) const;
+  void FindBlocked(const Sample& sample, const glm::dvec3& place, std::vector<double>& blocked,
     MesoTraceWork& work) const;
   void Fill(const Sample& sample, const std::vector<double>& blocked, float* values) const;
 };
@@ -96,7 +128,9 @@ MesoReference::MesoReference(const MesoScene& scene, Surface surface, double fac
   Implementation& inside = *this->Inside;
   // The builder reads files and resolves matrices; nothing is rendered, so no context is made.
   MesoSceneBuilder& builder = inside.Builder;
-  builder.Build(scene, inside.Renderer);
+  MesoScene truth = scene;
+  ShowAllDetail(truth.Nodes);
+  builder.Build(truth, inside.Renderer);
   inside.Renderer->UpdateLightsGeometryToFollowCamera();
   inside.Warnings = builder.GetWarnings();
   for (const MesoSceneLight& light : scene.Lights)
@@ -107,18 +141,15 @@ MesoReference::MesoReference(const MesoScene& scene, Surface surface, double fac
   CollectMeshes(scene.Nodes, meshes);
   for (const MesoSceneBuilder::Object& object : builder.GetObjects())
   {
-    vtkProperty* property = object.Actor->GetProperty();
-    if (property->GetOpacity() < 1. || property->GetEdgeVisibility())
+    const std::string notShown = NotShown(object);
+    if (!notShown.empty())
     {
       throw MesoInputError("node " + std::to_string(object.Number) + " '" + object.Name +
-        "': the reference does not show " +
-        (property->GetEdgeVisibility() ? "edges" : "translucent nodes"));
+        "': the reference does not show " + notShown);
     }
     inside.Surfaces.push_back(std::make_unique<MesoReferenceSurface>(
       object, meshes[object.Number - 1], surface == Surface::Smooth));
     inside.Materials.emplace_back(object.Actor, object.Options.Wrap);
-    inside.ShadowsShown.push_back(inside.Surfaces.back()->IsDisplaced() &&
-      MesoEffectsOn(object.Options).Has(MesoEffect::SelfShadow));
     inside.Numbers.push_back(object.Number);
     if (inside.Surfaces.back()->NumberOfDegenerateTriangles() > 0)
     {
@@ -156,10 +187,9 @@ void MesoReference::Implementation::FindBlocked(const Sample& sample, const glm:
     ray.Origin = start;
     ray.Direction = this->Lights[i].Towards(start, distance);
     ray.TMax = distance;
-    blocked[i] = this->Tracer->Blocked(
-                   ray, sample.At.Object, !this->Lights[i].CastsBetweenObjects, work)
-      ? 1.
-      : 0.;
+    blocked[i] =
+      this->Tracer->Blocked(ray, sample.At.Object, !this->Lights[i].CastsBetweenObjects, work) ? 1.
+                                                                                               : 0.;
   }
 }
 
@@ -185,9 +215,9 @@ MesoReference::Implementation::Sample MesoReference::Implementation::Look(
   // To the camera's position, as VTK takes it, in parallel projection as well.
   const glm::dvec3 eye = glm::normalize(this->Camera.Position - place);
   const std::vector<double> none(blocked.size(), 0.);
-  const glm::dvec3 color = this->Materials[sample.At.Object].Shade(this->Lights,
-    this->ShadowsShown[sample.At.Object] ? blocked : none, place, sample.Point.Shading, eye,
-    sample.Point.MapCoord);
+  const glm::dvec3 color =
+    this->Materials[sample.At.Object].Shade(this->Lights, surface.IsDisplaced() ? blocked : none,
+      place, sample.Point.Shading, eye, sample.Point.MapCoord);
   sample.Color = glm::clamp(color, 0., 1.);
 
   ray.TMax = sample.At.T + 1e-9 * std::abs(sample.At.T);
@@ -259,8 +289,8 @@ MesoReferenceResult MesoReference::Render(
     glm::dvec3 color = samples == 1 ? centre.Color : glm::dvec3(0.);
     for (int sample = 1; sample <= samples && samples > 1; ++sample)
     {
-      color +=
-        look(RadicalInverse(sample, 2) - 0.5, RadicalInverse(sample, 3) - 0.5).Color / double(samples);
+      color += look(RadicalInverse(sample, 2) - 0.5, RadicalInverse(sample, 3) - 0.5).Color /
+        double(samples);
     }
     for (int k = 0; k < 3; ++k)
     {

@@ -33,9 +33,9 @@ class vtkImageData;
 /// What the result has cost, and how exact it is.
 struct MesoReferenceCounters
 {
-  std::uint64_t Rays = 0; ///< of the eye, of shadow, and those that look for the base
-  double Seconds = 0.;    ///< in Render
-  double PrepareSeconds = 0.; ///< in the constructor: reading, building
+  std::uint64_t Rays = 0;      ///< of the eye, of shadow, and those that look for the base
+  double Seconds = 0.;         ///< in Render
+  double PrepareSeconds = 0.;  ///< in the constructor: reading, building
   std::size_t MemoryBytes = 0; ///< meshes, maps, hierarchies
   /// Of all hits: distance between ray and surface, over the size of the numbers added up.
   double LargestResidual = 0.;
@@ -97,8 +97,8 @@ public:
    *   result then has no picture.
    * Throws MesoInputError for sizes out of [1, LargestSize] and samples less than 1.
    */
-  MesoReferenceResult Render(int width, int height, int samples = 1,
-    const std::function<bool(double)>& progress = {}) const;
+  MesoReferenceResult Render(
+    int width, int height, int samples = 1, const std::function<bool(double)>& progress = {}) const;
 
 private:
   struct Implementation;

@@ -60,8 +60,8 @@ void MesoReferenceCamera::RayAt(
 MesoReferenceLight::MesoReferenceLight(
   const MesoSceneLight& light, const MesoReferenceCamera& camera)
   : Headlight(light.Type == MesoSceneLight::Kind::Headlight)
-  , Positional(light.Type == MesoSceneLight::Kind::Point ||
-      light.Type == MesoSceneLight::Kind::Spot)
+  , Positional(
+      light.Type == MesoSceneLight::Kind::Point || light.Type == MesoSceneLight::Kind::Spot)
   , CastsBetweenObjects(light.Shadow)
   , Position(ToVector(light.Position))
   , Attenuation(ToVector(light.Attenuation))
@@ -80,9 +80,9 @@ MesoReferenceLight::MesoReferenceLight(
     focalPoint = camera.Position + toWorld(focalPoint);
     direction = toWorld(direction);
   }
-  this->Travel = this->Headlight ? camera.Forward
-                                 : glm::normalize(this->Positional ? focalPoint - this->Position
-                                                                   : direction);
+  this->Travel = this->Headlight
+    ? camera.Forward
+    : glm::normalize(this->Positional ? focalPoint - this->Position : direction);
 }
 
 glm::dvec3 MesoReferenceLight::Towards(const glm::dvec3& point, double& distance) const
@@ -111,9 +111,8 @@ double MesoReferenceLight::AttenuationAt(const glm::dvec3& point) const
   if (this->ConeAngle < 90.)
   {
     const double cosine = glm::dot(travel, this->Travel);
-    attenuation *= cosine >= std::cos(glm::radians(this->ConeAngle))
-      ? std::pow(cosine, this->Exponent)
-      : 0.;
+    attenuation *=
+      cosine >= std::cos(glm::radians(this->ConeAngle)) ? std::pow(cosine, this->Exponent) : 0.;
   }
   return attenuation;
 }

@@ -45,8 +45,7 @@ struct MesoReferenceCamera
 /// A light as it falls on a point.
 struct MesoReferenceLight
 {
-  MesoReferenceLight(
-    const MesoSceneLight& light, const MesoReferenceCamera& camera);
+  MesoReferenceLight(const MesoSceneLight& light, const MesoReferenceCamera& camera);
 
   /// Unit direction from a point towards the light; the distance, infinite where it has no place.
   glm::dvec3 Towards(const glm::dvec3& point, double& distance) const;

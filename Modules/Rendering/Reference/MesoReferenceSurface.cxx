@@ -28,8 +28,8 @@ std::shared_ptr<const MesoHeightPyramid> MakePyramid(vtkImageData* heights, Meso
 {
   const int* size = heights->GetDimensions();
   const auto* values = static_cast<const float*>(heights->GetScalarPointer());
-  return std::make_shared<MesoHeightPyramid>(size[0], size[1], wrap,
-    std::vector<float>(values, values + std::size_t(size[0]) * size[1]));
+  return std::make_shared<MesoHeightPyramid>(
+    size[0], size[1], wrap, std::vector<float>(values, values + std::size_t(size[0]) * size[1]));
 }
 
 glm::dvec3 NormalToWorld(const glm::dmat4& inverse, const glm::dvec3& normal)
@@ -58,8 +58,9 @@ MesoReferenceSurface::MesoReferenceSurface(
   this->Inverse = glm::inverse(this->Matrix);
   if (determinant == 0. || !std::isfinite(this->Inverse[0][0] + this->Inverse[1][1]))
   {
-    throw MesoInputError(this->Label + ": the matrix flattens the node, which the reference cannot "
-                                       "trace");
+    throw MesoInputError(this->Label +
+      ": the matrix flattens the node, which the reference cannot "
+      "trace");
   }
   this->Mirrored = determinant < 0.;
   if (this->Displaced)
@@ -81,8 +82,9 @@ void MesoReferenceSurface::FindShape(const MesoSceneMesh& source)
 {
   if (source.Shape.empty())
   {
-    throw MesoInputError(this->Label + ": has a mesh file, of which no closed form is known: the "
-                                       "surface 'smooth' is for built-in shapes");
+    throw MesoInputError(this->Label +
+      ": has a mesh file, of which no closed form is known: the "
+      "surface 'smooth' is for built-in shapes");
   }
   // A plane is its own closed form; its size may come from the map.
   if (source.Shape != "plane")
@@ -156,19 +158,6 @@ std::size_t MesoReferenceSurface::NumberOfPatches() const
   return this->Triangles.size();
 }
 
-MesoPatchSolver::Facing MesoReferenceSurface::Front() const
-{
-  // A mirrored mesh has had its winding turned; a closed form's front is where its normal points.
-  return this->Mirrored && !this->Shape ? MesoPatchSolver::Facing::Back
-                                        : MesoPatchSolver::Facing::Front;
-}
-
-MesoPatchSolver::Facing MesoReferenceSurface::Back() const
-{
-  return this->Front() == MesoPatchSolver::Facing::Front ? MesoPatchSolver::Facing::Back
-                                                         : MesoPatchSolver::Facing::Front;
-}
-
 std::array<glm::dvec2, 3> MesoReferenceSurface::PlacesOf(std::size_t triangle) const
 {
   std::array<glm::dvec2, 3> places = Barycentric;
@@ -201,7 +190,8 @@ MesoTrianglePatch MesoReferenceSurface::TrianglePatch(std::size_t number) const
     positions[k] = this->Points[this->Triangles[number][k]];
     normals[k] = this->Normals[this->Triangles[number][k]];
   }
-  return { positions, normals, this->PlacesOf(number) };
+  // The mesh of a mirrored node has had its winding turned.
+  return { positions, normals, this->PlacesOf(number), this->Mirrored };
 }
 
 MesoShapePatch MesoReferenceSurface::ShapePatch(std::size_t number) const
@@ -232,8 +222,8 @@ MesoDisplacement MesoReferenceSurface::Over(std::size_t patch) const
   {
     middle += this->Coordinates[corner] / 3.;
   }
-  over.Height = std::isfinite(middle.x + middle.y) ? this->Map->HeightAt(middle.x, middle.y)
-                                                   : over.Reference;
+  over.Height =
+    std::isfinite(middle.x + middle.y) ? this->Map->HeightAt(middle.x, middle.y) : over.Reference;
   return over;
 }
 
@@ -317,8 +307,9 @@ glm::dvec2 MesoReferenceSurface::ShadingGradient(double x, double y) const
   const double b = y - static_cast<double>(row);
   const auto central = [&](std::int64_t i, std::int64_t j)
   {
-    return 0.5 * glm::dvec2(this->Map->Height(i + 1, j) - this->Map->Height(i - 1, j),
-                   this->Map->Height(i, j + 1) - this->Map->Height(i, j - 1));
+    return 0.5 *
+      glm::dvec2(this->Map->Height(i + 1, j) - this->Map->Height(i - 1, j),
+        this->Map->Height(i, j + 1) - this->Map->Height(i, j - 1));
   };
   return (1. - b) * ((1. - a) * central(column, row) + a * central(column + 1, row)) +
     b * ((1. - a) * central(column, row + 1) + a * central(column + 1, row + 1));
@@ -359,8 +350,7 @@ MesoReferencePoint MesoReferenceSurface::Describe(
         return glm::cross(px + over.Scale * by.x * base.N + g * base.Nx,
           py + over.Scale * by.y * base.N + g * base.Ny);
       };
-      const glm::dvec3 geometric =
-        NormalToWorld(this->Inverse, tangents(base.Px, base.Py, slope));
+      const glm::dvec3 geometric = NormalToWorld(this->Inverse, tangents(base.Px, base.Py, slope));
       result.Geometric = glm::dot(geometric, ray) <= 0. ? geometric : -geometric;
 
       // For shading the base is the smooth surface that its normals stand for: dp/dx, dp/dy in the
@@ -368,8 +358,8 @@ MesoReferencePoint MesoReferenceSurface::Describe(
       const glm::dvec3 px = base.Px - base.N * glm::dot(base.N, base.Px);
       const glm::dvec3 py = base.Py - base.N * glm::dot(base.N, base.Py);
       const double area = glm::dot(glm::cross(px, py), base.N);
-      glm::dvec3 shading = area < 0. ? -tangents(px, py, shadingSlope)
-                                     : tangents(px, py, shadingSlope);
+      glm::dvec3 shading =
+        area < 0. ? -tangents(px, py, shadingSlope) : tangents(px, py, shadingSlope);
       if (!mapped || area == 0. || !(glm::dot(shading, shading) > 0.))
       {
         shading = base.N;

@@ -75,9 +75,6 @@ public:
   bool IsTwoSided() const { return this->TwoSided; }
   bool IsSmooth() const { return this->Shape.has_value(); }
   const MesoHeightPyramid* GetMap() const { return this->Map.get(); }
-  /// The side of a patch that is the front: a mirror turns the winding of a mesh.
-  MesoPatchSolver::Facing Front() const;
-  MesoPatchSolver::Facing Back() const;
   const glm::dmat4& WorldToObject() const { return this->Inverse; }
   const glm::dvec3& Centre() const { return this->Middle; }
   std::size_t NumberOfTriangles() const { return this->Triangles.size(); }

@@ -71,9 +71,9 @@ public:
     ++this->Work.Rays;
   }
 
-  int Only = -1;  ///< the one surface that counts, or all
-  int From = -1;  ///< the surface whose base, drawn from behind, does not count
-  bool Any = false;
+  int Only = -1;    ///< the one surface that counts, or all
+  int From = -1;    ///< the surface whose base, drawn from behind, does not count
+  bool Any = false; ///< a shadow's ray: the first thing found ends it, whichever side it shows
   bool Found = false;
   MesoReferenceHit Best;
 
@@ -92,7 +92,7 @@ public:
         switch (this->What)
         {
           case Kind::BaseFront:
-            this->Solve(geometry, primitive, patch, none, surface.Front());
+            this->Solve(geometry, primitive, patch, none, MesoPatchSolver::Facing::Front);
             return;
           case Kind::BaseBack:
             this->SolveBack(geometry, primitive, patch);
@@ -100,22 +100,36 @@ public:
           case Kind::Surface:
             break;
         }
-        if (surface.IsDisplaced())
-        {
-          this->Solve(geometry, primitive, patch, over, surface.Front());
-          this->SolveBack(geometry, primitive, patch);
-        }
-        else
-        {
-          this->Solve(geometry, primitive, patch, over,
-            surface.IsTwoSided() ? MesoPatchSolver::Facing::Both : surface.Front());
-        }
+        this->Solve(geometry, primitive, patch, over,
+          this->HitsBacks(surface) ? MesoPatchSolver::Facing::Both
+                                   : MesoPatchSolver::Facing::Front);
+        this->SolveBack(geometry, primitive, patch);
       });
   }
 
-  bool TestTriangle(int geometry, unsigned int primitive, double, double, double) override;
+  bool TestTriangle(int geometry, unsigned int primitive, double t, bool front) override
+  {
+    if ((this->Only >= 0 && geometry != this->Only) ||
+      !(front || this->HitsBacks(*this->Tracer.Surfaces[geometry])))
+    {
+      return false;
+    }
+    MesoReferenceHit next;
+    next.Object = geometry;
+    next.Patch = primitive; // the facet, as yet
+    next.T = t;
+    next.Behind = !front;
+    this->Take(next);
+    return true;
+  }
 
 private:
+  /// Whether the surface's backs are hit, beside its fronts.
+  bool HitsBacks(const MesoReferenceSurface& surface) const
+  {
+    return this->Any || (surface.IsTwoSided() && !surface.IsDisplaced());
+  }
+
   /// Bring the ray to a surface's own space, with its start near by, where numbers are small.
   void Enter(int geometry)
   {
@@ -128,8 +142,7 @@ private:
     const glm::dmat4& toObject = surface.WorldToObject();
     const glm::dvec3 origin = glm::dvec3(toObject * glm::dvec4(this->Origin, 1.));
     const glm::dvec3 direction = glm::dmat3(toObject) * this->Direction;
-    this->Shift =
-      glm::dot(surface.Centre() - origin, direction) / glm::dot(direction, direction);
+    this->Shift = glm::dot(surface.Centre() - origin, direction) / glm::dot(direction, direction);
     this->Solver = MesoPatchSolver(origin + this->Shift * direction, direction,
       this->TMin - this->Shift, this->TMax - this->Shift);
   }
@@ -139,7 +152,8 @@ private:
     const MesoReferenceSurface& surface = *this->Tracer.Surfaces[geometry];
     if (surface.IsTwoSided() && surface.IsDisplaced() && geometry != this->From)
     {
-      this->Solve(geometry, primitive, patch, MesoDisplacement(), surface.Back(), true);
+      this->Solve(
+        geometry, primitive, patch, MesoDisplacement(), MesoPatchSolver::Facing::Back, true);
     }
   }
 
@@ -152,8 +166,8 @@ private:
     }
     // Up to and with the best so far: of hits at the same t the one of the lowest number counts,
     // whatever the order of asking.
-    this->Solver.SetTMax(std::nextafter(
-      this->TMax - this->Shift, std::numeric_limits<double>::infinity()));
+    this->Solver.SetTMax(
+      std::nextafter(this->TMax - this->Shift, std::numeric_limits<double>::infinity()));
     MesoPatchHit hit;
     const MesoSolverWork before = this->Solver.Work();
     const bool found = this->Solver.FirstHit(patch, over, facing, this->Any, hit);
@@ -172,8 +186,7 @@ private:
       next.X = hit.X;
       next.Y = hit.Y;
       next.OnBase = onBase;
-      const auto side = hit.Front ? MesoPatchSolver::Facing::Front : MesoPatchSolver::Facing::Back;
-      next.Behind = side != this->Tracer.Surfaces[geometry]->Front();
+      next.Behind = !hit.Front;
       this->Take(next);
     }
   }
@@ -208,8 +221,8 @@ MesoReferenceTracer::MesoReferenceTracer(
 {
   for (const auto& surface : surfaces)
   {
-    this->Patches.AddPrimitives(surface->NumberOfPatches(),
-      [&](std::size_t patch) { return surface->BoundsOf(patch); });
+    this->Patches.AddPrimitives(
+      surface->NumberOfPatches(), [&](std::size_t patch) { return surface->BoundsOf(patch); });
     this->AnyTwoSided = this->AnyTwoSided || (surface->IsTwoSided() && surface->IsDisplaced());
   }
   this->Patches.Commit();
@@ -245,8 +258,8 @@ void MesoReferenceTracer::Dice(double facetsPerTexel)
       this->Facets += static_cast<std::size_t>(std::min(cuts * cuts, 1e12));
       if (this->Facets > MostFacets)
       {
-        throw MesoInputError("the diced surface would have more than " +
-          std::to_string(MostFacets) + " facets");
+        throw MesoInputError(
+          "the diced surface would have more than " + std::to_string(MostFacets) + " facets");
       }
       dicing.Cuts.push_back(static_cast<std::uint32_t>(cuts));
       dicing.FirstFacet.push_back(
@@ -285,61 +298,48 @@ void MesoReferenceTracer::Dice(double facetsPerTexel)
   this->Diced->Commit();
 }
 
-bool MesoReferenceTracer::Query::TestTriangle(
-  int geometry, unsigned int primitive, double, double, double)
+void MesoReferenceTracer::FromFacet(const Ray& ray, MesoReferenceHit& hit) const
 {
-  const MesoReferenceSurface& surface = *this->Tracer.Surfaces[geometry];
-  if (this->Only >= 0 && geometry != this->Only)
-  {
-    return false;
-  }
-  const Dicing& dicing = this->Tracer.Dicings[geometry];
-  const auto after =
-    std::upper_bound(dicing.FirstFacet.begin(), dicing.FirstFacet.end(), primitive);
-  const auto triangle = static_cast<std::size_t>(after - dicing.FirstFacet.begin()) - 1;
-  const std::uint32_t cuts = dicing.Cuts[triangle];
-  const auto corners = FacetCorners(primitive - dicing.FirstFacet[triangle], cuts);
-  const std::array<glm::dvec2, 3> places = surface.PlacesOf(triangle);
+  const MesoReferenceSurface& surface = *this->Surfaces[hit.Object];
+  const Dicing& dicing = this->Dicings[hit.Object];
+  const std::uint32_t facet = hit.Patch;
+  const auto after = std::upper_bound(dicing.FirstFacet.begin(), dicing.FirstFacet.end(), facet);
+  hit.Patch = static_cast<unsigned int>(after - dicing.FirstFacet.begin()) - 1;
+  const std::uint32_t cuts = dicing.Cuts[hit.Patch];
+  const auto corners = FacetCorners(facet - dicing.FirstFacet[hit.Patch], cuts);
+  const std::array<glm::dvec2, 3> places = surface.PlacesOf(hit.Patch);
   glm::dvec3 points[3];
   glm::dvec2 at[3];
   for (int k = 0; k < 3; ++k)
   {
     at[k] = PlaceOf(places, corners[k], cuts);
-    points[k] = surface.PositionAt(triangle, at[k].x, at[k].y);
+    points[k] = surface.PositionAt(hit.Patch, at[k].x, at[k].y);
   }
   const glm::dvec3 a = points[1] - points[0];
   const glm::dvec3 b = points[2] - points[0];
   const glm::dvec3 normal = glm::cross(a, b);
-  const double towards = glm::dot(normal, this->Direction);
-  const bool front = towards < 0.; // world space: the winding is the mesh's own
-  if (towards == 0. || !(front || (surface.IsTwoSided() && !surface.IsDisplaced())))
+  const double towards = glm::dot(normal, ray.Direction);
+  if (towards != 0.)
   {
-    return false;
+    hit.T = glm::dot(points[0] - ray.Origin, normal) / towards;
   }
-  MesoReferenceHit next;
-  next.T = glm::dot(points[0] - this->Origin, normal) / towards;
-  if (!(next.T > this->TMin && next.T <= this->TMax))
-  {
-    return false;
-  }
-  const glm::dvec3 from = this->Origin + next.T * this->Direction - points[0];
+  const glm::dvec3 from = ray.Origin + hit.T * ray.Direction - points[0];
   const double perArea = 1. / glm::dot(normal, normal);
   const double second = glm::dot(glm::cross(from, b), normal) * perArea;
   const double third = glm::dot(glm::cross(a, from), normal) * perArea;
   const glm::dvec2 place = (1. - second - third) * at[0] + second * at[1] + third * at[2];
-  next.Object = geometry;
-  next.Patch = static_cast<unsigned int>(triangle);
-  next.X = place.x;
-  next.Y = place.y;
-  next.Behind = !front;
-  this->Take(next);
-  return true;
+  hit.X = place.x;
+  hit.Y = place.y;
 }
 
 bool MesoReferenceTracer::Trace(const Ray& ray, MesoReferenceHit& hit, MesoTraceWork& work) const
 {
   Query query(*this, ray, Query::Kind::Surface, work);
   (this->Diced ? *this->Diced : this->Patches).Trace(query);
+  if (this->Diced && query.Found)
+  {
+    this->FromFacet(ray, query.Best);
+  }
   if (this->Diced && this->AnyTwoSided)
   {
     Ray rest = ray;
@@ -356,8 +356,7 @@ bool MesoReferenceTracer::Trace(const Ray& ray, MesoReferenceHit& hit, MesoTrace
   return query.Found;
 }
 
-bool MesoReferenceTracer::Blocked(
-  const Ray& ray, int from, bool alone, MesoTraceWork& work) const
+bool MesoReferenceTracer::Blocked(const Ray& ray, int from, bool alone, MesoTraceWork& work) const
 {
   Query query(*this, ray, Query::Kind::Surface, work);
   query.From = from;

@@ -10,8 +10,8 @@
  * texel as asked for, whose corners lie on the true surface, and Embree intersects those; t is then
  * found again in double. Which facets face away is told by their own winding.
  *
- * Back faces are passed through. A `two_sided` surface is hit from behind as well: one without a
- * map itself, a displaced one as its plain base.
+ * Back faces are passed through by the eye's rays. A `two_sided` surface is hit from behind as well:
+ * one without a map itself, a displaced one as its plain base. Light is stopped by either side.
  */
 
 #include "MesoRayScene.h"
@@ -69,6 +69,8 @@ private:
     std::vector<std::uint32_t> FirstFacet; ///< of each triangle, and of the end
   };
   void Dice(double facetsPerTexel);
+  /// A hit on a facet as one on the patch that it was cut from; t in double.
+  void FromFacet(const Ray& ray, MesoReferenceHit& hit) const;
 
   const std::vector<std::unique_ptr<MesoReferenceSurface>>& Surfaces;
   MesoRayScene Patches;
