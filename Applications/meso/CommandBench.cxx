@@ -125,8 +125,8 @@ int CommandBench::Run()
   if (this->Quick)
   {
     this->Settings.Size = { 192, 144 };
-    this->Settings.WarmUp = 2;
-    this->Settings.Runs = 9;
+    this->Settings.WarmUp = 1;
+    this->Settings.Runs = 7;
   }
   this->Settings.Size = this->Size.value_or(this->Settings.Size);
   this->Settings.Arms = this->Arms();
