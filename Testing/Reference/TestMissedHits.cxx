@@ -94,7 +94,7 @@ Counts Compare(const MarchedSheet& sheet, int rays, double grazing, unsigned int
 
     MesoPatchSolver solver(origin, direction, 0., std::numeric_limits<double>::infinity());
     MesoPatchHit hit;
-    const bool found = solver.FirstHit(patch, over, MesoPatchSolver::Facing::Front, false, hit);
+    const bool found = solver.FirstHit(patch, over, MesoFacing::Front, false, hit);
     EXPECT_EQ(solver.Work().Unresolved, 0u);
     if (found)
     {
@@ -203,7 +203,7 @@ TEST(SolverHardCases, NormalsThatTurnAround)
     const glm::dvec3 target(random.In(0., 0.6), random.In(0., 0.6), random.In(-0.1, 0.1));
     MesoPatchSolver solver(target - direction, direction, 0., 3.);
     MesoPatchHit hit;
-    if (solver.FirstHit(patch, over, MesoPatchSolver::Facing::Front, false, hit))
+    if (solver.FirstHit(patch, over, MesoFacing::Front, false, hit))
     {
       ++hits;
       MarchedSheet::Place at;
@@ -235,7 +235,7 @@ TEST(SolverHardCases, RaysWithinASheetEndSoon)
   over.Scale = 0.12;
   for (double lean : { 0., 1e-14, 1e-9, -1e-9 })
   {
-    for (const auto facing : { MesoPatchSolver::Facing::Front, MesoPatchSolver::Facing::Both })
+    for (const auto facing : { MesoFacing::Front, MesoFacing::Both })
     {
       const glm::dvec3 inside =
         (sheet.Positions[0] + sheet.Positions[1] + sheet.Positions[2]) / 3. -

@@ -306,16 +306,18 @@ MesoReferenceResult MesoReference::Render(int width, int height, int samples,
   vtkSMPThreadLocal<MesoTraceWork> works;
   const auto tracePixel = [&](vtkIdType pixel, std::vector<double>& blocked, MesoTraceWork& work)
   {
-    const auto column = static_cast<double>(pixel % width);
-    const auto row = static_cast<double>(pixel / width); // from the bottom
+    const vtkIdType column = pixel % width;
+    const vtkIdType row = pixel / width; // from the bottom
     const auto look = [&](double offX, double offY)
     {
       std::fill(blocked.begin(), blocked.end(), 0.);
-      return inside.Look(2. * (column + 0.5 + offX) / width - 1.,
-        2. * (row + 0.5 + offY) / height - 1., aspect, bounces > 0, blocked, work);
+      return inside.Look(2. * (static_cast<double>(column) + 0.5 + offX) / width - 1.,
+        2. * (static_cast<double>(row) + 0.5 + offY) / height - 1., aspect, bounces > 0, blocked,
+        work);
     };
     // Each pixel's directions are the same even points, moved by an amount of its own.
-    MesoRandom random(static_cast<std::uint64_t>(pixel) * 0x100000001b3u);
+    const std::uint64_t seed = static_cast<std::uint64_t>(pixel) * 0x100000001b3u;
+    MesoRandom random(seed);
     const glm::dvec2 shift(random.Next(), random.Next());
     const auto colorOf = [&](const Implementation::Sample& sample, int number)
     {
@@ -325,11 +327,11 @@ MesoReferenceResult MesoReference::Render(int width, int height, int samples,
       }
       const glm::dvec2 first = glm::fract(
         shift + glm::dvec2(MesoRadicalInverse(number, 5), MesoRadicalInverse(number, 7)));
-      const MesoRandom further(static_cast<std::uint64_t>(pixel) * 0x100000001b3u + number);
-      return sample.Color + inside.Bounced(sample, bounces, first, further, blocked, work);
+      return sample.Color +
+        inside.Bounced(sample, bounces, first, MesoRandom(seed + number), blocked, work);
     };
     const Implementation::Sample centre = look(0., 0.);
-    const std::size_t fromTop = std::size_t(height - 1 - pixel / width) * width + pixel % width;
+    const std::size_t fromTop = std::size_t(height - 1 - row) * width + column;
     inside.Fill(centre, blocked, &aovs.Data[channels * fromTop]);
     glm::dvec3 color = samples == 1 ? colorOf(centre, 0) : glm::dvec3(0.);
     for (int sample = 1; sample <= samples && samples > 1; ++sample)

@@ -9,7 +9,7 @@
  * `plain` is q = p + (h - 1) D n, with p linear and n normalised-linear in each triangle of the
  * node's mesh (Surface::Mesh) or both of the closed form of its built-in shape (Surface::Smooth),
  * and h bilinear between texel centres, displaced in object space before the node's matrix. Hits
- * are found in double precision, none missed (MesoPatchSolver).
+ * are found in double precision, none missed (MesoPatchSolver, MesoCellSolver).
  *
  *     MesoReference reference(MesoReadScene("scene.json"));
  *     const MesoReferenceResult truth = reference.Render(800, 600);

@@ -92,7 +92,7 @@ public:
         switch (this->What)
         {
           case Kind::BaseFront:
-            this->Solve(geometry, primitive, patch, none, MesoPatchSolver::Facing::Front);
+            this->Solve(geometry, primitive, patch, none, MesoFacing::Front);
             return;
           case Kind::BaseBack:
             this->SolveBack(geometry, primitive, patch);
@@ -101,8 +101,7 @@ public:
             break;
         }
         this->Solve(geometry, primitive, patch, over,
-          this->HitsBacks(surface) ? MesoPatchSolver::Facing::Both
-                                   : MesoPatchSolver::Facing::Front);
+          this->HitsBacks(surface) ? MesoFacing::Both : MesoFacing::Front);
         this->SolveBack(geometry, primitive, patch);
       });
   }
@@ -152,13 +151,12 @@ private:
     const MesoReferenceSurface& surface = *this->Tracer.Surfaces[geometry];
     if (surface.IsTwoSided() && surface.IsDisplaced() && geometry != this->From)
     {
-      this->Solve(
-        geometry, primitive, patch, MesoDisplacement(), MesoPatchSolver::Facing::Back, true);
+      this->Solve(geometry, primitive, patch, MesoDisplacement(), MesoFacing::Back, true);
     }
   }
 
   void Solve(int geometry, unsigned int primitive, const MesoBasePatch& patch,
-    const MesoDisplacement& over, MesoPatchSolver::Facing facing, bool onBase = false)
+    const MesoDisplacement& over, MesoFacing facing, bool onBase = false)
   {
     if (this->Done)
     {
