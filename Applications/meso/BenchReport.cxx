@@ -350,7 +350,10 @@ void WriteReport(const BenchResults& results, const std::string& folder)
           "base mesh drawn plain in the same run, measured in turns. The row <em>plain</em> is "
           "measured "
           "beside that floor like any other: how far its ratio is from 1 is the noise. Techniques "
-          "that model the smooth shape are judged by it, the others by the mesh. Raw numbers: <a "
+          "that model the smooth shape are judged by it, the others by the mesh. By the "
+          "<em>solver</em> is by "
+          "the technique's own model solved exactly: what remains is the error of its search. Raw "
+          "numbers: <a "
           "href=\"results.csv\">results.csv</a>, <a href=\"results.json\">results.json</a>.</p>\n"
           "<h2>The cheapest setting that reaches an error (texcoord_p95)</h2>\n";
   StartCosts(page, "scene");
