@@ -177,16 +177,16 @@ BenchScene::Truths BenchScene::MakeTruths(BenchResults& results, BenchProgress& 
       progress.Begin(this->SceneName + ": truth", StepsOfTruth);
       WriteTruth(this->Scene, surface, this->Settings.Size, stem);
     }
-    truths[surface] = ReadTruth(stem);
+    truths.Surfaces[surface] = ReadTruth(stem);
     names.push_back(MesoName(surface));
   }
   Json scene = { { "scene", this->SceneName }, { "file", this->File }, { "key", key },
     { "size", this->Settings.Size }, { "status", "ok" }, { "reason", nullptr }, { "truths", names },
     { "surfaces", nullptr } };
-  if (truths.size() == 2)
+  if (truths.Surfaces.size() == 2)
   {
-    scene["surfaces"] =
-      JsonOfError(MesoCompareRenderings(truths[BenchSurface::Smooth], truths[BenchSurface::Mesh]));
+    scene["surfaces"] = JsonOfError(MesoCompareRenderings(
+      truths.Surfaces[BenchSurface::Smooth], truths.Surfaces[BenchSurface::Mesh]));
   }
   results.SetScene(scene);
   results.Save();
@@ -201,11 +201,11 @@ Json BenchScene::StartOfRow(const BenchArm& arm) const
     { "version", MESO_VERSION } };
 }
 
-void BenchScene::Judge(Arm& arm, const MesoRendering& rendering, const Truths& truths) const
+void BenchScene::Judge(Arm& arm, const MesoRendering& rendering, Truths& truths) const
 {
-  const BenchSurface judge = SurfaceOfTechnique(arm.Choice.Technique, truths.size() == 2);
+  const BenchSurface judge = SurfaceOfTechnique(arm.Choice.Technique, truths.Surfaces.size() == 2);
   arm.Row["judged_by"] = MesoName(judge);
-  for (const auto& truth : truths)
+  for (const auto& truth : truths.Surfaces)
   {
     const MesoImageError error = MesoCompareRenderings(truth.second, rendering);
     arm.Row["errors"][MesoName(truth.first)] = JsonOfError(error);
@@ -223,10 +223,22 @@ void BenchScene::Judge(Arm& arm, const MesoRendering& rendering, const Truths& t
       }
     }
   }
+
+  const MesoTechnique technique = arm.Choice.Technique;
+  if (!truths.Models.count(technique))
+  {
+    truths.Models[technique] = SolveModel(this->Scene, technique, this->Settings.Size);
+  }
+  if (truths.Models[technique])
+  {
+    arm.Row["errors"]["solver"] = JsonOfError(MesoCompareRenderings(
+      { "the model of " + arm.Choice.TechniqueName(), std::nullopt, truths.Models[technique] },
+      { arm.Choice.Name(), std::nullopt, rendering.AOVs }));
+  }
 }
 
 std::unique_ptr<BenchScene::Arm> BenchScene::Render(const BenchArm& choice,
-  vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, const Truths& truths) const
+  vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, Truths& truths) const
 {
   auto arm = std::make_unique<Arm>();
   arm->Choice = choice;

@@ -101,6 +101,12 @@ TEST(MesoBench, LeavesTablesPlotsAndAReport)
   EXPECT_EQ(plain["fetches_mean"], 0.);
   EXPECT_GT(draft["fetches_mean"], 1.);
   EXPECT_GT(high["fetches_mean"], draft["fetches_mean"]);
+  // What plain draws is its model; relief has one that is solved apart from it.
+  EXPECT_EQ(plain["errors"].count("solver"), 0u);
+  EXPECT_LT(
+    high["errors"]["solver"]["texcoord_p95"], 0.1 * double(high["errors"]["mesh"]["texcoord_p95"]));
+  EXPECT_GE(draft["errors"]["solver"]["texcoord_p99"], high["errors"]["solver"]["texcoord_p99"]);
+  EXPECT_TRUE(high["errors"]["solver"]["flip_mean"].is_null());
   const auto texels = [](const Json& row) -> double
   { return row["errors"]["mesh"]["texcoord_p95"]; };
   EXPECT_GT(texels(plain), 2. * texels(high));
@@ -114,7 +120,7 @@ TEST(MesoBench, TablesAreWholeAndTheReportStandsByItself)
   const SceneFolder scene(BrickSphere);
   ASSERT_EQ(Bench(scene).ExitCode, 0);
   const std::vector<std::string> lines = Lines(scene.Bytes("out/results.csv"));
-  ASSERT_EQ(lines.size(), 1u + 3 * 2) << "a head, and each row by two truths";
+  ASSERT_EQ(lines.size(), 1u + 3 * 2 + 2) << "a head, each row by two truths, relief by its model";
   for (const std::string& line : lines)
   {
     // No text of this table holds a comma but the clock's, which is quoted.
