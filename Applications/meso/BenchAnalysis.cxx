@@ -2,13 +2,15 @@
 
 using Json = BenchResults::Json;
 
-std::optional<double> BenchFigure(const Json& row, const std::string& name)
+std::optional<double> BenchFigure(
+  const Json& row, const std::string& name, const std::string& surface)
 {
   if (row["status"] != "ok")
   {
     return std::nullopt;
   }
-  const Json& value = row["errors"][row["judged_by"].get<std::string>()][name];
+  const std::string judge = surface.empty() ? row["judged_by"].get<std::string>() : surface;
+  const Json& value = row["errors"][judge][name];
   return value.is_number() ? std::optional<double>(value.get<double>()) : std::nullopt;
 }
 

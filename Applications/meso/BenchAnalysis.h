@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
-/// The figure of a row by the truth that it is judged by; none where it was refused or is not known.
-std::optional<double> BenchFigure(const BenchResults::Json& row, const std::string& name);
+/// The figure of a row by a truth ("mesh", "smooth"; "" for the one that it is judged by); none where
+/// it was refused or is not known.
+std::optional<double> BenchFigure(
+  const BenchResults::Json& row, const std::string& name, const std::string& surface = "");
 
 /// Median of the time on the GPU; none where it was refused.
 std::optional<double> BenchTime(const BenchResults::Json& row);

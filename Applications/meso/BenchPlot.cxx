@@ -58,23 +58,36 @@ vtkPlotPoints* AddPlot(vtkChartXY* chart, int kind, const std::vector<BenchPoint
   return plot;
 }
 
-/// Whole decades around the values, at least one.
-void SetDecades(vtkAxis* axis, const std::string& title, double least, double most)
+/// A range around the values that ends at ticks: at 1, 2 and 5 of each decade, over many decades at
+/// 1 alone. No value touches the ends.
+void SetTicks(vtkAxis* axis, const std::string& title, double least, double most)
 {
-  const double low = std::floor(std::log10(least) - 0.05);
-  const double high = std::max(std::ceil(std::log10(most) + 0.05), low + 1.);
-  axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetUnscaledRange(std::pow(10., low), std::pow(10., high));
-  axis->SetLogScale(true);
+  const double first = std::floor(std::log10(least)) - 1.;
+  const double last = std::ceil(std::log10(most)) + 1.;
+  const std::vector<double> parts =
+    last - first > 6. ? std::vector<double>{ 1. } : std::vector<double>{ 1., 2., 5. };
+  std::vector<double> ticks;
+  for (double decade = first; decade <= last; decade += 1.)
+  {
+    for (const double part : parts)
+    {
+      ticks.push_back(part * std::pow(10., decade));
+    }
+  }
+  const auto low = std::lower_bound(ticks.begin(), ticks.end(), 0.9 * least) - 1;
+  const auto high = std::upper_bound(ticks.begin(), ticks.end(), 1.1 * most);
   vtkNew<vtkDoubleArray> places;
   vtkNew<vtkStringArray> labels;
-  for (double decade = low; decade <= high; decade += 1.)
+  for (auto tick = low; tick <= high; ++tick)
   {
     char text[32];
-    std::snprintf(text, sizeof(text), "%g", std::pow(10., decade));
-    places->InsertNextValue(decade);
+    std::snprintf(text, sizeof(text), "%g", *tick);
+    places->InsertNextValue(std::log10(*tick));
     labels->InsertNextValue(text);
   }
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetUnscaledRange(*low, *high);
+  axis->SetLogScale(true);
   axis->SetCustomTickPositions(places, labels);
   axis->SetTitle(title);
   axis->GetTitleProperties()->SetFontSize(16);
@@ -117,9 +130,9 @@ void WritePlot(const std::string& title, const std::string& errorTitle,
       AddPlot(chart, vtkChart::POINTS, hollow, { 255, 255, 255 }, 7.f);
     }
   }
-  SetDecades(chart->GetAxis(vtkAxis::BOTTOM), "time on the GPU or in software, ms", range[0][0],
+  SetTicks(chart->GetAxis(vtkAxis::BOTTOM), "time on the GPU or in software, ms", range[0][0],
     range[0][1]);
-  SetDecades(chart->GetAxis(vtkAxis::LEFT), errorTitle, range[1][0], range[1][1]);
+  SetTicks(chart->GetAxis(vtkAxis::LEFT), errorTitle, range[1][0], range[1][1]);
 
   vtkNew<vtkMesoEGLRenderWindow> window;
   window->SetMultiSamples(4);

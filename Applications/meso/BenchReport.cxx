@@ -24,7 +24,7 @@ h1, h2, h3 { line-height: 1.2; } h2 { margin-top: 2.5em; border-bottom: 1px soli
 table { border-collapse: collapse; font-size: 13px; margin: 1em 0; }
 th, td { border: 1px solid #ddd; padding: 3px 7px; text-align: right; white-space: nowrap; }
 th { background: #f2f2f2; } td:first-child, th:first-child { text-align: left; }
-td.wide { text-align: left; white-space: normal; } td.bad { background: #fbe3e0; }
+td.wide { text-align: left; white-space: normal; } td.bad { background: #fbe3e0; } tr.other td { color: #999; }
 img { max-width: 100%; } figure { margin: 1em 0; } figcaption { font-size: 13px; color: #555; }
 .plots img { width: 49%; } .wrap { overflow-x: auto; }
 </style></head><body>
@@ -81,9 +81,9 @@ std::array<unsigned char, 3> ColorOfTechnique(const std::string& name)
   return Colors[place % std::size(Colors)];
 }
 
-/// Draws one figure against time; false where no row has it.
+/// Draws one figure, by one truth, against time; false where no row has it.
 bool Plot(const Rows& rows, const std::string& scene, const std::string& figure,
-  const std::string& title, const std::string& fileName)
+  const std::string& surface, const std::string& title, const std::string& fileName)
 {
   // What is 0, or noise below 0, is drawn at the least that a logarithmic axis is given here.
   constexpr double LeastError = 1e-6;
@@ -93,7 +93,7 @@ bool Plot(const Rows& rows, const std::string& scene, const std::string& figure,
   std::vector<std::pair<std::string, std::size_t>> places;
   for (const Json& row : rows)
   {
-    const auto error = BenchFigure(row, figure);
+    const auto error = BenchFigure(row, figure, surface);
     if (error)
     {
       points.emplace_back(std::max(*BenchTime(row), LeastTime), std::max(*error, LeastError));
@@ -115,6 +115,7 @@ bool Plot(const Rows& rows, const std::string& scene, const std::string& figure,
     curves[places[i].first].Points[places[i].second].Dominated = dominated[i];
   }
   std::vector<BenchCurve> list;
+  list.reserve(curves.size());
   for (const auto& curve : curves)
   {
     list.push_back(curve.second);
@@ -123,13 +124,44 @@ bool Plot(const Rows& rows, const std::string& scene, const std::string& figure,
   return true;
 }
 
+const char* const TableFigures[] = { "texcoord_p50", "texcoord_p95", "texcoord_p99", "texcoord_max",
+  "depth_p95", "normal_mean", "coverage_iou", "silhouette_px_mean", "shadow_attached",
+  "shadow_cast", "void_pixels", "extra_pixels", "boundary_pixels", "hole_pixels", "nan_pixels",
+  "flip_mean", "ssim", "rmse" };
+
+/// A line of the table: a row by one of the truths, and what it costs where it is judged by that.
+void WriteFigures(std::ostream& page, const Json& row, const std::string& surface)
+{
+  const bool judged = row["judged_by"] == surface;
+  page << (judged ? "<tr><td>" : "<tr class=\"other\"><td>") << BenchLabel(row) << "</td><td>"
+       << surface << "</td>";
+  for (const std::string figure : TableFigures)
+  {
+    const auto value = BenchFigure(row, figure, surface);
+    const bool bad = (figure == "hole_pixels" || figure == "nan_pixels") && value && *value > 0.;
+    page << (bad ? "<td class=\"bad\">" : "<td>") << Number(value) << "</td>";
+  }
+  if (!judged)
+  {
+    page << "<td colspan=\"9\"></td></tr>\n";
+    return;
+  }
+  for (const char* part : { "median", "min", "max" })
+  {
+    page << "<td>" << Number(row["gpu_ms"][part]) << "</td>";
+  }
+  for (const char* name : { "ratio_to_floor", "fetches_mean", "fetches_max" })
+  {
+    page << "<td>" << Number(row[name]) << "</td>";
+  }
+  page << "<td>" << row["gpu_bytes"] << "</td><td>" << Number(row["prepare_s"]) << "</td><td>"
+       << row["triangles"] << "</td></tr>\n";
+}
+
 void WriteTable(std::ostream& page, const Rows& rows)
 {
-  const char* const figures[] = { "texcoord_p50", "texcoord_p95", "texcoord_p99", "texcoord_max",
-    "depth_p95", "normal_mean", "coverage_iou", "silhouette_px_mean", "shadow_attached",
-    "shadow_cast", "hole_pixels", "nan_pixels", "flip_mean", "ssim", "rmse" };
-  page << "<div class=\"wrap\"><table><tr><th></th><th>judged by</th>";
-  for (const char* figure : figures)
+  page << "<div class=\"wrap\"><table><tr><th></th><th>by the</th>";
+  for (const char* figure : TableFigures)
   {
     page << "<th>" << figure << "</th>";
   }
@@ -137,30 +169,17 @@ void WriteTable(std::ostream& page, const Rows& rows)
           "<th>fetches_max</th><th>gpu_bytes</th><th>prepare_s</th><th>triangles</th></tr>\n";
   for (const Json& row : rows)
   {
-    page << "<tr><td>" << BenchLabel(row) << "</td>";
     if (row["status"] != "ok")
     {
-      page << "<td class=\"wide bad\" colspan=\"" << 10 + std::size(figures)
-           << "\">refused: " << Escaped(row["reason"]) << "</td></tr>\n";
+      page << "<tr><td>" << BenchLabel(row) << "</td><td class=\"wide bad\" colspan=\""
+           << 10 + std::size(TableFigures) << "\">refused: " << Escaped(row["reason"])
+           << "</td></tr>\n";
       continue;
     }
-    page << "<td>" << row["judged_by"].get<std::string>() << "</td>";
-    for (const std::string figure : figures)
+    for (const auto& error : row["errors"].items())
     {
-      const auto value = BenchFigure(row, figure);
-      const bool bad = (figure == "hole_pixels" || figure == "nan_pixels") && value && *value > 0.;
-      page << (bad ? "<td class=\"bad\">" : "<td>") << Number(value) << "</td>";
+      WriteFigures(page, row, error.key());
     }
-    for (const char* part : { "median", "min", "max" })
-    {
-      page << "<td>" << Number(row["gpu_ms"][part]) << "</td>";
-    }
-    for (const char* name : { "ratio_to_floor", "fetches_mean", "fetches_max" })
-    {
-      page << "<td>" << Number(row[name]) << "</td>";
-    }
-    page << "<td>" << row["gpu_bytes"] << "</td><td>" << Number(row["prepare_s"]) << "</td><td>"
-         << row["triangles"] << "</td></tr>\n";
   }
   page << "</table></div>\n";
 }
@@ -204,6 +223,37 @@ std::vector<const Json*> PointersTo(const Rows& rows, const std::string& techniq
     }
   }
   return pointers;
+}
+
+/// What each technique comes to in each scene at its most exact setting.
+void WriteMostExact(std::ostream& page, const BenchResults& results)
+{
+  page
+    << "<h2>The most exact setting of each technique</h2>\n<p>texcoord_p95 in texels, and its time "
+       "as a multiple of plain.</p>\n<table><tr><th>scene</th>";
+  for (const std::string& technique : MesoTechniqueNames())
+  {
+    page << "<th>" << technique << "</th>";
+  }
+  page << "</tr>\n";
+  for (const Json& scene : results.All()["scenes"])
+  {
+    page << "<tr><td>" << Escaped(scene["scene"]) << "</td>";
+    const Rows rows = results.RowsOf(scene["scene"]);
+    for (const std::string& technique : MesoTechniqueNames())
+    {
+      const std::vector<const Json*> own = PointersTo(rows, technique);
+      const Json* best = MostExact(own);
+      page << (own.empty() || best ? "<td>" : "<td class=\"bad\">")
+           << (best ? Number(BenchFigure(*best, "texcoord_p95")) + ", x" +
+                    Number((*best)["ratio_to_floor"])
+                  : own.empty() ? "not measured"
+                                : "refused")
+           << "</td>";
+    }
+    page << "</tr>\n";
+  }
+  page << "</table>\n";
 }
 
 void WritePictures(std::ostream& page, const Rows& rows)
@@ -255,12 +305,16 @@ void WriteScene(
   page << "</p>\n<div class=\"plots\">";
   const std::pair<const char*, const char*> plots[] = { { "texcoord_p95", "texcoord_p95, texel" },
     { "flip_mean", "mean FLIP" } };
-  for (const auto& plot : plots)
+  for (const std::string surface : scene["truths"])
   {
-    const std::string file = name + "/" + plot.first + ".png";
-    if (Plot(rows, name, plot.first, plot.second, folder + "/" + file))
+    for (const auto& plot : plots)
     {
-      page << "<img src=\"" << Escaped(file) << "\" alt=\"" << plot.second << " against time\"> ";
+      const std::string file = name + "/" + plot.first + "-" + surface + ".png";
+      if (Plot(rows, name + ", by the " + surface + " surface", plot.first, surface, plot.second,
+            folder + "/" + file))
+      {
+        page << "<img src=\"" << Escaped(file) << "\" alt=\"" << plot.second << " against time\"> ";
+      }
     }
   }
   page << "</div>\n<p>Dominated settings are hollow: another one is no dearer and no worse.</p>\n";
@@ -287,19 +341,21 @@ void WriteReport(const BenchResults& results, const std::string& folder)
 {
   const Json& all = results.All();
   std::ostringstream page;
-  page << Head << "<h1>Accuracy and cost</h1>\n<p>Drawn by " << Escaped(all["device"]) << ", meso "
-       << Escaped(all["version"]) << ", on "
-       << Escaped(all["machine"].value("processor", "an unknown processor")) << ", "
-       << all["machine"]["cores"] << " cores, "
-       << Escaped(all["machine"].value("system", "an unknown system"))
-       << ".</p>\n<p>Times of one machine compare with one another; beside each stands its ratio "
-          "to the "
-          "base mesh drawn plain in the same run, measured in turns. The row <em>plain</em> is "
-          "measured "
-          "beside that floor like any other: how far its ratio is from 1 is the noise. Techniques "
-          "that model the smooth shape are judged by it, the others by the mesh. Raw numbers: <a "
-          "href=\"results.csv\">results.csv</a>, <a href=\"results.json\">results.json</a>.</p>\n"
-          "<h2>The cheapest setting that reaches an error (texcoord_p95)</h2>\n";
+  page
+    << Head << "<h1>Accuracy and cost</h1>\n<p>Drawn by " << Escaped(all["device"]) << ", meso "
+    << Escaped(all["version"]) << ", on "
+    << Escaped(all["machine"].value("processor", "an unknown processor")) << ", "
+    << all["machine"]["cores"] << " cores, "
+    << Escaped(all["machine"].value("system", "an unknown system"))
+    << ".</p>\n<p>Times of one machine compare with one another; beside each stands its ratio "
+       "to the "
+       "base mesh drawn plain in the same run, measured in turns. The row <em>plain</em> is "
+       "measured beside that floor like any other: how far its ratio is from 1 is the noise. "
+       "Techniques that model the smooth shape are judged by it, the others by the mesh. By the "
+       "<em>solver</em> is by the technique's own model solved exactly: what remains is the error "
+       "of its search. Raw numbers: <a "
+       "href=\"results.csv\">results.csv</a>, <a href=\"results.json\">results.json</a>.</p>\n"
+       "<h2>The cheapest setting that reaches an error (texcoord_p95)</h2>\n";
   StartCosts(page, "scene");
   for (const Json& scene : all["scenes"])
   {
@@ -308,6 +364,7 @@ void WriteReport(const BenchResults& results, const std::string& folder)
     WriteCosts(page, "<a href=\"#" + name + "\">" + name + "</a>", PointersTo(rows));
   }
   page << "</table>\n";
+  WriteMostExact(page, results);
   for (const Json& scene : all["scenes"])
   {
     WriteScene(page, results, scene, folder);

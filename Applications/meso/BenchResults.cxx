@@ -67,8 +67,56 @@ std::string Field(const Json& value)
   return quoted + "\"";
 }
 
+/// The figure of this name; null where there is none.
+Json ValueOf(const Json& from, const std::string& name)
+{
+  return from.contains(name) ? from[name] : Json();
+}
+
+std::vector<std::string> NamesOfFigures(const Json& errors)
+{
+  std::vector<std::string> names;
+  for (const auto& figure : errors.items())
+  {
+    if (!figure.value().is_structured() && figure.key() != "depth_unit")
+    {
+      names.push_back(figure.key());
+    }
+  }
+  return names;
+}
+
 const char* const CostNames[] = { "ratio_to_floor", "clock", "runs", "fetches_mean", "fetches_max",
   "texel_reads_mean", "texel_reads_max", "gpu_bytes", "prepare_s", "triangles" };
+
+/// A row by one truth.
+void WriteLine(std::ostream& csv, const Json& row, const std::string& surface, const Json& error,
+  const std::vector<std::string>& figures)
+{
+  for (const char* name : { "scene", "technique", "quality", "status", "reason" })
+  {
+    csv << Field(row[name]) << ',';
+  }
+  csv << row["size"][0] << ',' << row["size"][1] << ',' << Field(surface) << ','
+      << (ValueOf(row, "judged_by") == surface ? 1 : 0) << ','
+      << Field(ValueOf(error, "depth_unit"));
+  for (const std::string& figure : figures)
+  {
+    csv << ',' << Field(ValueOf(error, figure));
+  }
+  for (const char* clock : { "gpu_ms", "frame_ms" })
+  {
+    for (const char* part : { "median", "min", "max" })
+    {
+      csv << ',' << Field(ValueOf(ValueOf(row, clock), part));
+    }
+  }
+  for (const char* name : CostNames)
+  {
+    csv << ',' << Field(ValueOf(row, name));
+  }
+  csv << ',' << Field(row["device"]) << ',' << Field(row["version"]) << '\n';
+}
 }
 
 std::string BenchKey(const std::string& bytes)
@@ -178,19 +226,13 @@ std::vector<Json> BenchResults::RowsOf(const std::string& scene) const
 
 std::string BenchResults::Csv() const
 {
-  // The figures of error have the names that the first row has them by.
+  // Figures of error have the names that the first row has them by.
   std::vector<std::string> figures;
   for (const Json& row : this->Content["rows"])
   {
     if (figures.empty() && row["status"] == "ok")
     {
-      for (const auto& figure : row["errors"].front().items())
-      {
-        if (!figure.value().is_structured() && figure.key() != "depth_unit")
-        {
-          figures.push_back(figure.key());
-        }
-      }
+      figures = NamesOfFigures(row["errors"].front());
     }
   }
   std::ostringstream csv;
@@ -199,10 +241,7 @@ std::string BenchResults::Csv() const
   {
     csv << ',' << figure;
   }
-  for (const char* clock : { "gpu_ms", "frame_ms" })
-  {
-    csv << ',' << clock << "_median," << clock << "_min," << clock << "_max";
-  }
+  csv << ",gpu_ms_median,gpu_ms_min,gpu_ms_max,frame_ms_median,frame_ms_min,frame_ms_max";
   for (const char* name : CostNames)
   {
     csv << ',' << name;
@@ -212,32 +251,14 @@ std::string BenchResults::Csv() const
   {
     for (const Json& row : this->RowsOf(scene["scene"]))
     {
-      const Json noErrors = { { "", Json::object() } }; // one line for what was refused
-      for (const auto& error : (row["status"] == "ok" ? row["errors"] : noErrors).items())
+      if (row["status"] != "ok")
       {
-        const auto field = [&](const Json& from, const char* name)
-        { return Field(from.contains(name) ? from[name] : Json()); };
-        csv << field(row, "scene") << ',' << field(row, "technique") << ',' << field(row, "quality")
-            << ',' << field(row, "status") << ',' << field(row, "reason") << ',' << row["size"][0]
-            << ',' << row["size"][1] << ',' << Field(error.key()) << ','
-            << (row.contains("judged_by") && row["judged_by"] == error.key() ? 1 : 0) << ','
-            << field(error.value(), "depth_unit");
-        for (const std::string& figure : figures)
-        {
-          csv << ',' << field(error.value(), figure.c_str());
-        }
-        for (const char* clock : { "gpu_ms", "frame_ms" })
-        {
-          for (const char* part : { "median", "min", "max" })
-          {
-            csv << ',' << (row.contains(clock) ? field(row[clock], part) : "");
-          }
-        }
-        for (const char* name : CostNames)
-        {
-          csv << ',' << field(row, name);
-        }
-        csv << ',' << field(row, "device") << ',' << field(row, "version") << '\n';
+        WriteLine(csv, row, "", Json::object(), figures);
+        continue;
+      }
+      for (const auto& error : row["errors"].items())
+      {
+        WriteLine(csv, row, error.key(), error.value(), figures);
       }
     }
   }

@@ -13,7 +13,8 @@
  * `key`, `size`, `status`, `reason`, `truths` ("mesh", and "smooth" where there is such a truth) and
  * `surfaces`, the figures of the mesh's truth against the smooth one. A row: `scene`, `technique`,
  * `quality`, `key`, `status` ("ok" or "refused") and `reason`; where ok also `judged_by` ("mesh" or
- * "smooth"), `errors` (figures of JsonOfError() for each truth) and figures of cost. A key is a sum
+ * "smooth"), `errors` (figures of JsonOfError() by "mesh", by "smooth", and by "solver", the technique's own model
+ * solved exactly, where there are such) and figures of cost. A key is a sum
  * over all that the numbers depend on but the program itself, so that what is there need not be
  * done again.
  */

@@ -76,7 +76,7 @@ std::vector<vtkProp*> PropsOf(const MesoSceneBuilder& builder)
 }
 
 /// What the window shows, as a picture and as what its pixels know.
-MesoRendering Render(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
+MesoRendering RenderAndCapture(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
   const MesoSceneBuilder& builder, vtkMesoAOVPass* pass)
 {
   MesoRendering rendering;
@@ -177,16 +177,16 @@ BenchScene::Truths BenchScene::MakeTruths(BenchResults& results, BenchProgress& 
       progress.Begin(this->SceneName + ": truth", StepsOfTruth);
       WriteTruth(this->Scene, surface, this->Settings.Size, stem);
     }
-    truths[surface] = ReadTruth(stem);
+    truths.Surfaces[surface] = ReadTruth(stem);
     names.push_back(MesoName(surface));
   }
   Json scene = { { "scene", this->SceneName }, { "file", this->File }, { "key", key },
     { "size", this->Settings.Size }, { "status", "ok" }, { "reason", nullptr }, { "truths", names },
     { "surfaces", nullptr } };
-  if (truths.size() == 2)
+  if (truths.Surfaces.size() == 2)
   {
-    scene["surfaces"] =
-      JsonOfError(MesoCompareRenderings(truths[BenchSurface::Smooth], truths[BenchSurface::Mesh]));
+    scene["surfaces"] = JsonOfError(MesoCompareRenderings(
+      truths.Surfaces[BenchSurface::Smooth], truths.Surfaces[BenchSurface::Mesh]));
   }
   results.SetScene(scene);
   results.Save();
@@ -201,11 +201,11 @@ Json BenchScene::StartOfRow(const BenchArm& arm) const
     { "version", MESO_VERSION } };
 }
 
-void BenchScene::Judge(Arm& arm, const MesoRendering& rendering, const Truths& truths) const
+void BenchScene::Judge(Arm& arm, const MesoRendering& rendering, Truths& truths) const
 {
-  const BenchSurface judge = SurfaceOfTechnique(arm.Choice.Technique, truths.size() == 2);
+  const BenchSurface judge = SurfaceOfTechnique(arm.Choice.Technique, truths.Surfaces.size() == 2);
   arm.Row["judged_by"] = MesoName(judge);
-  for (const auto& truth : truths)
+  for (const auto& truth : truths.Surfaces)
   {
     const MesoImageError error = MesoCompareRenderings(truth.second, rendering);
     arm.Row["errors"][MesoName(truth.first)] = JsonOfError(error);
@@ -222,6 +222,86 @@ void BenchScene::Judge(Arm& arm, const MesoRendering& rendering, const Truths& t
         arm.Row["worst_picture"] = name + "-worst.png";
       }
     }
+  }
+
+  const MesoTechnique technique = arm.Choice.Technique;
+  if (!truths.Models.count(technique))
+  {
+    truths.Models[technique] = SolveModel(this->Scene, technique, this->Settings.Size);
+  }
+  if (truths.Models[technique])
+  {
+    arm.Row["errors"]["solver"] = JsonOfError(MesoCompareRenderings(
+      { "the model of " + arm.Choice.TechniqueName(), std::nullopt, truths.Models[technique] },
+      { arm.Choice.Name(), std::nullopt, rendering.AOVs }));
+  }
+}
+
+std::unique_ptr<BenchScene::Arm> BenchScene::Render(const BenchArm& choice,
+  vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, Truths& truths) const
+{
+  auto arm = std::make_unique<Arm>();
+  arm->Choice = choice;
+  arm->Row = this->StartOfRow(choice);
+  vtkNew<vtkMesoAOVPass> pass;
+  try
+  {
+    const auto start = std::chrono::steady_clock::now();
+    vtkNew<vtkRenderer> apart; // which takes what a job that fails leaves
+    arm->Builder.Build(WithTechnique(this->Scene, choice.Technique, choice.Quality), apart);
+    arm->PrepareSeconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    for (const auto& object : arm->Builder.GetObjects())
+    {
+      renderer->AddActor(object.Actor);
+    }
+    this->Judge(*arm, RenderAndCapture(window, renderer, arm->Builder, pass), truths);
+    for (const std::string channel : { "fetches", "texel_reads" })
+    {
+      const PixelCounts counts = CountsOfChannel(pass, channel);
+      arm->Row[channel + "_mean"] = counts.Mean;
+      arm->Row[channel + "_max"] = counts.Maximum;
+    }
+  }
+  catch (const MesoInputError& problem)
+  {
+    arm->Row["status"] = "refused";
+    arm->Row["reason"] = problem.what();
+    for (const auto& object : arm->Builder.GetObjects())
+    {
+      renderer->RemoveActor(object.Actor);
+    }
+  }
+  pass->ReleaseGraphicsResources(window);
+  SetVisible(arm->Builder, false);
+  return arm;
+}
+
+void BenchScene::Time(const std::vector<std::unique_ptr<Arm>>& arms, const MesoSceneBuilder& floor,
+  vtkMesoEGLRenderWindow* window) const
+{
+  std::vector<std::vector<vtkProp*>> groups = { PropsOf(floor) };
+  for (const auto& arm : arms)
+  {
+    groups.push_back(PropsOf(arm->Builder));
+  }
+  const std::vector<MesoFrameCost> costs =
+    MesoMeasureFrames(window, groups, this->Settings.WarmUp, this->Settings.Runs);
+  const double floorMilliseconds = costs.front().Gpu.Median;
+  for (std::size_t i = 0; i < arms.size(); ++i)
+  {
+    const MesoFrameCost& cost = costs[i + 1];
+    const SceneSize size = SizeOfScene(arms[i]->Builder);
+    Json& row = arms[i]->Row;
+    row["gpu_ms"] = ToJson(cost.Gpu);
+    row["frame_ms"] = ToJson(cost.Frame);
+    row["ratio_to_floor"] =
+      floorMilliseconds > 0. ? Json(cost.Gpu.Median / floorMilliseconds) : Json();
+    row["clock"] = cost.Clock;
+    row["runs"] = cost.Runs;
+    row["gpu_bytes"] = size.GpuBytes;
+    row["prepare_s"] = arms[i]->PrepareSeconds;
+    row["triangles"] = size.Triangles;
   }
 }
 
@@ -251,7 +331,7 @@ bool BenchScene::Run(BenchResults& results, BenchProgress& progress) const
   floor.Build(WithTechnique(this->Scene, MesoTechnique::Plain, std::nullopt), renderer);
   SetVisible(floor, false);
 
-  std::vector<std::unique_ptr<Arm>> arms;
+  std::vector<std::unique_ptr<Arm>> arms; // to be timed
   for (const BenchArm& choice : this->Settings.Arms)
   {
     if (results.FindRow(this->KeyOfArm(choice)))
@@ -260,76 +340,23 @@ bool BenchScene::Run(BenchResults& results, BenchProgress& progress) const
       continue;
     }
     progress.Begin(this->SceneName + ": " + choice.Name(), 1.);
-    auto arm = std::make_unique<Arm>();
-    arm->Choice = choice;
-    arm->Row = this->StartOfRow(choice);
-    vtkNew<vtkMesoAOVPass> pass;
-    try
-    {
-      const auto start = std::chrono::steady_clock::now();
-      vtkNew<vtkRenderer> apart; // which takes what a job that fails leaves
-      arm->Builder.Build(WithTechnique(this->Scene, choice.Technique, choice.Quality), apart);
-      arm->PrepareSeconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      for (const auto& object : arm->Builder.GetObjects())
-      {
-        renderer->AddActor(object.Actor);
-      }
-      this->Judge(*arm, Render(window, renderer, arm->Builder, pass), truths);
-      for (const char* channel : { "fetches", "texel_reads" })
-      {
-        const PixelCounts counts = CountsOfChannel(pass, channel);
-        arm->Row[std::string(channel) + "_mean"] = counts.Mean;
-        arm->Row[std::string(channel) + "_max"] = counts.Maximum;
-      }
-    }
-    catch (const MesoInputError& problem)
-    {
-      arm->Row["status"] = "refused";
-      arm->Row["reason"] = problem.what();
-      for (const auto& object : arm->Builder.GetObjects())
-      {
-        renderer->RemoveActor(object.Actor);
-      }
-      results.SetRow(arm->Row);
-      progress.Skip(StepsOfTiming);
-    }
-    pass->ReleaseGraphicsResources(window);
-    SetVisible(arm->Builder, false);
+    auto arm = this->Render(choice, window, renderer, truths);
     if (arm->Row["status"] == "ok")
     {
       arms.push_back(std::move(arm));
+      continue;
     }
+    results.SetRow(arm->Row);
+    progress.Skip(StepsOfTiming);
   }
-  if (arms.empty())
+  if (!arms.empty())
   {
-    results.Save();
-    return true;
-  }
-
-  progress.Begin(this->SceneName + ": timing", StepsOfTiming * double(arms.size()));
-  std::vector<std::vector<vtkProp*>> groups = { PropsOf(floor) };
-  for (const auto& arm : arms)
-  {
-    groups.push_back(PropsOf(arm->Builder));
-  }
-  const std::vector<MesoFrameCost> costs =
-    MesoMeasureFrames(window, groups, this->Settings.WarmUp, this->Settings.Runs);
-  for (std::size_t i = 0; i < arms.size(); ++i)
-  {
-    const MesoFrameCost& cost = costs[i + 1];
-    const SceneSize size = SizeOfScene(arms[i]->Builder);
-    Json& row = arms[i]->Row;
-    row["gpu_ms"] = ToJson(cost.Gpu);
-    row["frame_ms"] = ToJson(cost.Frame);
-    row["ratio_to_floor"] =
-      costs.front().Gpu.Median > 0. ? Json(cost.Gpu.Median / costs.front().Gpu.Median) : Json();
-    row["clock"] = cost.Clock;
-    row["runs"] = cost.Runs;
-    row["gpu_bytes"] = size.GpuBytes;
-    row["prepare_s"] = arms[i]->PrepareSeconds;
-    row["triangles"] = size.Triangles;
-    results.SetRow(row);
+    progress.Begin(this->SceneName + ": timing", StepsOfTiming * double(arms.size()));
+    this->Time(arms, floor, window);
+    for (const auto& arm : arms)
+    {
+      results.SetRow(arm->Row);
+    }
   }
   results.Save();
   return true;

@@ -6,10 +6,14 @@
 #include "BenchTruth.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 class BenchProgress;
+class MesoSceneBuilder;
+class vtkMesoEGLRenderWindow;
+class vtkRenderer;
 
 /**
  * One scene of a bench: its truths, and each arm rendered, judged against them and timed. What is
@@ -36,14 +40,26 @@ public:
   bool Run(BenchResults& results, BenchProgress& progress) const;
 
 private:
-  using Truths = std::map<BenchSurface, MesoRendering>;
+  /// What arms are judged by.
+  struct Truths
+  {
+    std::map<BenchSurface, MesoRendering> Surfaces;
+    /// Of techniques, solved when the first arm of each is judged.
+    std::map<MesoTechnique, std::optional<MesoAOVs>> Models;
+  };
   struct Arm;
 
   std::string KeyOfScene() const;
   std::string KeyOfArm(const BenchArm& arm) const;
   std::string PathOf(const std::string& name) const;
   Truths MakeTruths(BenchResults& results, BenchProgress& progress) const;
-  void Judge(Arm& arm, const MesoRendering& rendering, const Truths& truths) const;
+  /// Renders an arm in the window and judges it; its row says whether it was refused.
+  std::unique_ptr<Arm> Render(const BenchArm& choice, vtkMesoEGLRenderWindow* window,
+    vtkRenderer* renderer, Truths& truths) const;
+  /// Times arms in turns with the floor and adds that to their rows.
+  void Time(const std::vector<std::unique_ptr<Arm>>& arms, const MesoSceneBuilder& floor,
+    vtkMesoEGLRenderWindow* window) const;
+  void Judge(Arm& arm, const MesoRendering& rendering, Truths& truths) const;
   BenchResults::Json StartOfRow(const BenchArm& arm) const;
 
   const BenchSettings& Settings;

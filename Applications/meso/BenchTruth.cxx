@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 #include "MesoAtomicFile.h"
 #include "MesoReference.h"
+#include "MesoTechniqueModel.h"
 #include "vtkImageData.h"
 
 #include <algorithm>
@@ -74,6 +75,17 @@ void WriteTruth(const MesoScene& scene, BenchSurface surface, const std::array<i
     aovs.Attributes);
   const std::string picture = PictureBytes(result.Picture);
   MesoAtomicFile::Write(stem + ".png", picture.data(), picture.size());
+}
+
+std::optional<MesoAOVs> SolveModel(
+  const MesoScene& scene, MesoTechnique technique, const std::array<int, 2>& size)
+{
+  if (technique == MesoTechnique::Plain || !MesoTechniqueModel::HasModel(technique))
+  {
+    return std::nullopt;
+  }
+  const MesoTechniqueModel model(WithTechnique(scene, technique, std::nullopt));
+  return MesoAOVsOfImage(model.Render(size[0], size[1]));
 }
 
 MesoRendering ReadTruth(const std::string& stem)

@@ -31,6 +31,12 @@ MesoScene WithTechnique(
 void WriteTruth(const MesoScene& scene, BenchSurface surface, const std::array<int, 2>& size,
   const std::string& stem);
 
+/// What a technique's own model says of each pixel, solved exactly; nothing where the technique has no
+/// model other than the truth's (MesoTechniqueModel). Judged by it, a rendering shows its solver's
+/// error alone.
+std::optional<MesoAOVs> SolveModel(
+  const MesoScene& scene, MesoTechnique technique, const std::array<int, 2>& size);
+
 /// Read what WriteTruth() wrote.
 MesoRendering ReadTruth(const std::string& stem);
 

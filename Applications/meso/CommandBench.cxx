@@ -126,7 +126,7 @@ int CommandBench::Run()
   {
     this->Settings.Size = { 192, 144 };
     this->Settings.WarmUp = 1;
-    this->Settings.Runs = 5;
+    this->Settings.Runs = 7;
   }
   this->Settings.Size = this->Size.value_or(this->Settings.Size);
   this->Settings.Arms = this->Arms();

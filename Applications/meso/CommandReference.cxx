@@ -41,12 +41,13 @@ MesoExrImage Chosen(const MesoExrImage& all, const std::vector<std::string>& cha
 }
 
 std::string StatsText(const MesoReferenceCounters& counters, const char* surface,
-  const std::array<int, 2>& size, int samples)
+  const std::array<int, 2>& size, int samples, int bounces)
 {
   nlohmann::ordered_json stats;
   stats["surface"] = surface;
   stats["size"] = size;
   stats["samples"] = samples;
+  stats["bounces"] = bounces;
   stats["rays"] = counters.Rays;
   stats["seconds"] = counters.Seconds;
   stats["rays_per_second"] =
@@ -86,6 +87,10 @@ CommandReference::CommandReference(CLI::App& app)
     "their built-in shapes (smooth)");
   AddAOVOption(*command, AOVGroups, this->Channels);
   AddSamplesOption(*command, this->Samples);
+  command
+    ->add_option("--bounces", this->Bounces,
+      "Diffuse surfaces that light may come over, one path a sample (default: 0)")
+    ->check(CLI::Range(0, 64));
   AddStatsOption(*command, this->StatsFile, "JSON file for cost and exactness");
   command->footer("Example: meso reference scene.json -o truth.png --size 800x600 --aov all");
 }
@@ -101,12 +106,14 @@ int CommandReference::Run()
     std::cerr << "meso: warning: " << warning << "\n";
   }
   ProgressBar bar;
-  const MesoReferenceResult result = reference.Render(this->Size[0], this->Size[1], this->Samples,
+  const MesoReferenceResult result = reference.Render(
+    this->Size[0], this->Size[1], this->Samples,
     [&](double part)
     {
       bar(part);
       return true;
-    });
+    },
+    this->Bounces);
   if (!this->Channels.empty())
   {
     const MesoExrImage image =
@@ -117,7 +124,8 @@ int CommandReference::Run()
   if (!this->StatsFile.empty())
   {
     const char* surface = this->Surface == MesoReference::Surface::Mesh ? "mesh" : "smooth";
-    const std::string stats = StatsText(result.Counters, surface, this->Size, this->Samples);
+    const std::string stats =
+      StatsText(result.Counters, surface, this->Size, this->Samples, this->Bounces);
     MesoAtomicFile::Write(this->StatsFile, stats.data(), stats.size());
   }
   const std::string picture = PictureBytes(result.Picture);

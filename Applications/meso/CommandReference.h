@@ -29,6 +29,7 @@ private:
   MesoReference::Surface Surface = MesoReference::Surface::Mesh;
   std::vector<std::string> Channels; ///< AOV groups, empty for none
   int Samples = 1;
+  int Bounces = 0;
   std::string StatsFile;
 };
 

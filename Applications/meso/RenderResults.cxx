@@ -144,7 +144,7 @@ SceneSize SizeOfScene(const MesoSceneBuilder& builder)
   for (const auto& object : builder.GetObjects())
   {
     size.GpuBytes += object.Mapper->GetGPUBytes();
-    size.Triangles += object.Mesh->GetNumberOfPolys();
+    size.Triangles += object.Mapper->GetInput()->GetNumberOfPolys();
   }
   return size;
 }

@@ -1,5 +1,5 @@
-// The mesh has been diced and displaced before it came here: it is the detail. Only AOVs come this
-// way, ordinary frames are VTK's own.
+// The mesh has been diced and displaced before it came here: it is the detail. Only AOVs and colours
+// by height come this way, ordinary frames are VTK's own.
 
 // Unit normal of the flat facet, towards the eye.
 vec3 facetNormal(MesoFragment f)

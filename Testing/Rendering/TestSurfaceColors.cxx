@@ -102,7 +102,7 @@ std::string Flat(const std::string& technique = "relief")
   return Relief(R"({"pattern": "step", "position": 1, "low": 1})", technique);
 }
 
-const char* const ReliefTechniques[] = { "relief", "relief-quadric" };
+const char* const ReliefTechniques[] = { "relief", "relief-quadric", "tessellated" };
 
 /// Nodes' rest for the base mesh and for each technique over a flat map.
 std::vector<std::string> AllFlat()
@@ -218,6 +218,23 @@ TEST_F(SurfaceColors, EqualsVTKsMapperOnPlainAndOnFlatRelief)
     EXPECT_TRUE(difference.Within) << difference.Describe();
     theirs->ScalarVisibilityOff();
     EXPECT_FALSE(MesoCompareImages(this->Picture(), expected).Within) << "there are no colours";
+  }
+}
+
+TEST_F(SurfaceColors, RangesAreTheSameInEachTechnique)
+{
+  const auto rangeOf = [&](const std::string& technique)
+  {
+    this->Build(
+      R"("mesh": {"shape": "torus"}, "material": {"color_by": "MesoCurvature[1]"})" + technique);
+    const double* range = this->Mapper()->GetLookupTable()->GetRange();
+    return std::array<double, 2>{ range[0], range[1] };
+  };
+  const auto plain = rangeOf("");
+  for (const char* technique : ReliefTechniques)
+  {
+    EXPECT_EQ(rangeOf(Relief(R"({"pattern": "brick", "size": [64, 64]})", technique)), plain)
+      << technique;
   }
 }
 

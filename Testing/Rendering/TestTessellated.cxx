@@ -5,11 +5,23 @@
 #include "MesoBaseline.h"
 
 #include "MesoHeightTexture.h"
+#include "TemporaryFolder.h"
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoTessellatedMapper.h"
 
+#include "vtkCameraPass.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 #include "vtkTexture.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace
 {
@@ -115,6 +127,45 @@ TEST_F(Tessellated, IsVTKsPictureOfTheSameGeometry)
   this->ExpectVTKsPicture("textured");
 }
 
+TEST_F(Tessellated, ShadowMapsAndClippingAreVTKs)
+{
+  this->UseTorus();
+  vtkNew<vtkLight> sun; // which is no headlight, and not behind the torus' hole
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(1., 4., 2.);
+  sun->SetFocalPoint(0., 0., 0.);
+  this->Scene.Renderer->RemoveAllLights();
+  this->Scene.Renderer->AddLight(sun);
+  const auto unshadowed = MesoGrabWindow(this->Scene.Window);
+  vtkNew<vtkShadowMapPass> shadows;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(shadows->GetShadowMapBakerPass());
+  passes->AddItem(shadows);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  this->Scene.Renderer->SetPass(camera);
+  this->ExpectVTKsPicture("shadow maps");
+  EXPECT_FALSE(MesoCompareImages(MesoGrabWindow(this->Scene.Window), unshadowed).Within);
+  camera->ReleaseGraphicsResources(this->Scene.Window);
+  this->Scene.Renderer->SetPass(nullptr);
+
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(1., 0.3, 0.);
+  vtkNew<vtkPolyDataMapper> theirs;
+  theirs->SetInputData(this->Mapper->GetInput());
+  theirs->AddClippingPlane(plane);
+  this->Mapper->AddClippingPlane(plane);
+  this->Scene.Actor->SetMapper(theirs);
+  const auto clipped = MesoGrabWindow(this->Scene.Window);
+  EXPECT_FALSE(MesoCompareImages(clipped, unshadowed).Within);
+  this->Scene.Actor->SetMapper(this->Mapper);
+  EXPECT_TRUE(
+    MesoCompareImages(MesoGrabWindow(this->Scene.Window), clipped, MesoImageLimits::Exact())
+      .Within);
+}
+
 TEST_F(Tessellated, OrdinaryFramesHoldNothingMore)
 {
   this->UseTorus();
@@ -128,6 +179,33 @@ TEST_F(Tessellated, OrdinaryFramesHoldNothingMore)
   EXPECT_GE(this->Mapper->GetGPUBytes(), before + 4 * points);
   this->Scene.Window->Render();
   EXPECT_EQ(this->Mapper->GetGPUBytes(), before);
+}
+
+TEST_F(Tessellated, OrdinaryShadersKnowNothingOfIt)
+{
+  const TemporaryFolder folder;
+  setenv("MESO_DUMP_SHADERS", folder.PathOf("").c_str(), 1);
+  const auto shadersThatKnow = [&]()
+  {
+    int all = 0;
+    int know = 0;
+    for (const auto& file : std::filesystem::directory_iterator(folder.PathOf("")))
+    {
+      std::ifstream stream(file.path());
+      std::stringstream text;
+      text << stream.rdbuf();
+      ++all;
+      know += text.str().find("mesoRelief") == std::string::npos ? 0 : 1;
+    }
+    EXPECT_GE(all, 2);
+    return know;
+  };
+  this->UseTorus();
+  this->Scene.Window->Render();
+  EXPECT_EQ(shadersThatKnow(), 0);
+  MesoCapture(this->Scene, this->Pass);
+  EXPECT_EQ(shadersThatKnow(), 2); // vertex and fragment stage
+  unsetenv("MESO_DUMP_SHADERS");
 }
 
 TEST_F(Tessellated, NumbersAreThoseOfTheClosedForm)

@@ -47,7 +47,8 @@ protected:
     return "";
   }
 
-  vtkPolyData* Mesh() const { return this->Builder.GetObjects().at(0).Mesh; }
+  /// What is drawn.
+  vtkPolyData* Mesh() const { return this->Builder.GetObjects().at(0).Mapper->GetInput(); }
 };
 }
 
@@ -64,6 +65,8 @@ TEST_F(TessellatedScene, QualityIsFacetsPerTexel)
     EXPECT_TRUE(this->Builder.GetWarnings().empty());
   }
   EXPECT_EQ(before, 2 * 48 * 24 * 8 * 8);
+  // The base is still there, for whoever displaces it in another way.
+  EXPECT_EQ(this->Builder.GetObjects().at(0).Mesh->GetNumberOfPolys(), 2 * 48 * 24);
 }
 
 TEST_F(TessellatedScene, TooManyTrianglesAreRefusedWithTheNode)
@@ -133,6 +136,26 @@ TEST_F(TessellatedScene, TearsAreSaid)
   const std::string warning = this->Builder.GetWarnings()[0];
   EXPECT_EQ(warning.rfind("s.json: nodes[0].mesostructure: the surface is torn along ", 0), 0u)
     << warning;
+}
+
+TEST_F(TessellatedScene, ColorsFollow)
+{
+  // By an array of the base, interpolated to the diced points; by the relief's height.
+  const std::string plain = R"("technique": "tessellated")";
+  this->Build(plain);
+  const auto uncolored = MesoGrabWindow(this->Scene.Window);
+  this->Build(plain, R"({"shape": "torus"})", R"(, "material": {"color_by": "MesoCurvature[0]"})");
+  const auto curvatures = MesoGrabWindow(this->Scene.Window);
+  EXPECT_FALSE(MesoCompareImages(curvatures, uncolored).Within);
+  vtkDataArray* carried = this->Mesh()->GetPointData()->GetArray("MesoCurvature");
+  ASSERT_NE(carried, nullptr);
+  EXPECT_EQ(carried->GetNumberOfTuples(), this->Mesh()->GetNumberOfPoints());
+  this->Build(plain, R"({"shape": "torus"})", R"(, "material": {"color_by": "height"})");
+  const auto heights = MesoGrabWindow(this->Scene.Window);
+  EXPECT_FALSE(MesoCompareImages(heights, uncolored).Within);
+  EXPECT_FALSE(MesoCompareImages(heights, curvatures).Within);
+  this->Build(plain, R"({"shape": "torus"})", R"(, "material": {"color_by": "Normals[2]"})");
+  EXPECT_FALSE(MesoCompareImages(MesoGrabWindow(this->Scene.Window), uncolored).Within);
 }
 
 TEST_F(TessellatedScene, MirroredNodesFaceTheEye)

@@ -7,6 +7,7 @@
 #include "vtkMesoPatternSource.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkIntArray.h"
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 
@@ -365,6 +366,40 @@ TEST_F(DisplacedMeshCases, FollowsItsMapThroughThePipeline)
   EXPECT_STREQ(diced->GetPointData()->GetTCoords()->GetName(), "TextureCoordinates");
   source->SetSize(8, 8);
   EXPECT_EQ(this->Run(mesh)->GetNumberOfPolys(), 2 * 8 * 8);
+}
+
+TEST_F(DisplacedMeshCases, CarriesTheArraysThatAreNamed)
+{
+  // A linear function of the position, in doubles and in integers, at corners, on edges and inside.
+  const auto mesh = OneSquare();
+  vtkNew<vtkDoubleArray> function;
+  function->SetName("function");
+  function->SetNumberOfComponents(2);
+  vtkNew<vtkIntArray> whole;
+  whole->SetName("whole");
+  for (const MesoVector& p : Square)
+  {
+    function->InsertNextTuple2(1. + 2. * p[0] - 3. * p[1], p[1]);
+    whole->InsertNextValue(static_cast<int>(10. * p[0] + 20. * p[1]));
+  }
+  mesh->GetPointData()->AddArray(function);
+  mesh->GetPointData()->AddArray(whole);
+  this->Filter->AddCarriedArray("function");
+  this->Filter->AddCarriedArray("whole");
+  this->Filter->AddCarriedArray("Normals");
+  vtkPolyData* diced = this->Run(mesh);
+  ASSERT_EQ(diced->GetPointData()->GetNumberOfArrays(), 5);
+  EXPECT_NE(TupleOf(diced, "Normals", 40), (MesoVector{ 0., 0., 1. }));
+  for (vtkIdType i = 0; i < diced->GetNumberOfPoints(); ++i)
+  {
+    const MesoVector p = PositionOf(diced, i);
+    EXPECT_NEAR(TupleOf(diced, "function", i)[0], 1. + 2. * p[0] - 3. * p[1], 1e-12);
+    EXPECT_NEAR(TupleOf(diced, "function", i)[1], p[1], 1e-12);
+    EXPECT_NEAR(TupleOf(diced, "whole", i)[0], 10. * p[0] + 20. * p[1], 1e-5);
+  }
+  this->ExpectRefused(OneSquare(), "no point array of numbers named function");
+  this->Filter->ClearCarriedArrays();
+  EXPECT_EQ(this->Run(mesh)->GetPointData()->GetNumberOfArrays(), 3);
 }
 
 TEST_F(DisplacedMeshCases, HasTheNormalsOfTheBaseWhereAsked)

@@ -3,10 +3,13 @@
 
 #include "DicedMeshes.h"
 
+#include "vtkFloatArray.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+#include <set>
 
 namespace
 {
@@ -136,6 +139,105 @@ TEST_F(DisplacedMeshClosed, DegenerateTrianglesLeaveNoHole)
     EXPECT_GE(edges.Edges, 9) << facets;
     EXPECT_EQ(this->Filter->GetNumberOfTornEdges(), 0) << facets;
   }
+}
+
+namespace
+{
+/// Two squares of 1 side by side along x, with points of their own at x = 1, in the texture from
+/// `left` to `leftEnd` and from `right` to `rightEnd` along u. Coordinates are floats.
+vtkSmartPointer<vtkPolyData> TwoSquares(float left, float leftEnd, float right, float rightEnd)
+{
+  const auto mesh = MakeMesh({ { 0., 0., 0. }, { 1., 0., 0. }, { 1., 1., 0. }, { 0., 1., 0. },
+                               { 1., 0., 0. }, { 2., 0., 0. }, { 2., 1., 0. }, { 1., 1., 0. } },
+    {}, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } });
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  const float us[8] = { left, leftEnd, leftEnd, left, right, rightEnd, rightEnd, right };
+  for (int i = 0; i < 8; ++i)
+  {
+    coordinates->InsertNextTuple2(us[i], i % 4 < 2 ? 0.f : 0.7f);
+  }
+  mesh->GetPointData()->SetTCoords(coordinates);
+  return mesh;
+}
+}
+
+TEST_F(DisplacedMeshClosed, SeamsThatRoundingAloneSeparatesAreClosed)
+{
+  // A whole tile between the sides, which floats near 0.3 and 5.3 do not hold alike.
+  this->Filter->SetScale(0.5);
+  const auto map = PatternMap("noise", 32);
+  const auto mesh = TwoSquares(0.1f, 0.3f, 5.3f, 5.6f);
+  ASSERT_NE(double(0.3f) + 5., double(5.3f));
+  vtkPolyData* diced = this->Dice(mesh, map);
+  EXPECT_EQ(this->Filter->GetNumberOfTornEdges(), 0);
+  EXPECT_EQ(this->Filter->GetLargestTear(), 0.);
+  // Open are the rims alone: 7, 7 (9.6 texels) and 2 x 23 (22.4 texels) segments.
+  EXPECT_EQ(MergedEdges(diced).Wrong, 2 * (7 + 10) + 2 * 23);
+  // A thousandth of a tile more is no rounding.
+  this->Dice(TwoSquares(0.1f, 0.3f, 5.301f, 5.6f), map);
+  EXPECT_EQ(this->Filter->GetNumberOfTornEdges(), 1);
+  EXPECT_LT(this->Filter->GetLargestTear(), 0.1);
+}
+
+TEST_F(DisplacedMeshClosed, TheLongestSideDecides)
+{
+  const auto map = ConstantMap(0.5);
+  for (bool turn : { false, true })
+  {
+    const auto mesh = TwoSquares(0.f, 1.f, 1.f, 2.f);
+    // One square's chart is 2 x 0.7 tiles of 4 texels high, 5.6 texels, the other's half of that.
+    for (int i = 0; i < 8; ++i)
+    {
+      const double v = mesh->GetPointData()->GetTCoords()->GetComponent(i, 1);
+      const bool tall = (i < 4) == turn;
+      mesh->GetPointData()->GetTCoords()->SetComponent(i, 1, tall ? 2. * v : v);
+    }
+    vtkPolyData* diced = this->Dice(mesh, map);
+    std::set<double> onSeam;
+    for (vtkIdType i = 0; i < diced->GetNumberOfPoints(); ++i)
+    {
+      const MesoVector p = PositionOf(diced, i);
+      if (p[0] == 1.)
+      {
+        onSeam.insert(p[1]);
+      }
+    }
+    EXPECT_EQ(onSeam.size(), 7u);
+    EXPECT_EQ(this->Filter->GetNumberOfTornEdges(), 0);
+  }
+}
+
+TEST_F(DisplacedMeshClosed, NormalsAtASeamAreTheMeanOfItsSides)
+{
+  // Heights rise along s alone, and the right chart is twice as long: its relief is twice as steep.
+  this->Filter->SetScale(0.25);
+  const int size = 32;
+  const auto map = MakeMap(
+    size, size, [](int i, int) { return 0.5 + 0.4 * std::sin(2. * std::acos(-1.) * i / 32.); });
+  vtkPolyData* diced = this->Dice(TwoSquares(0.f, 0.5f, 1.5f, 2.5f), map);
+  // At s = 1/2, between texels 15 and 16, from texels 14 and 17 as well.
+  const auto height = [&](int i) { return double(map->GetScalarComponentAsFloat(i, 0, 0, 0)); };
+  const double slope = 0.25 * (height(16) - height(14) + height(17) - height(15)) * size;
+  MesoVector mean = { 0., 0., 0. };
+  for (double length : { 0.5, 1. })
+  {
+    const MesoVector n = { -0.25 * slope * length, 0., 1. };
+    mean = MesoSum(mean, MesoScaled(n, 1. / MesoLength(n)));
+  }
+  mean = MesoScaled(mean, 1. / MesoLength(mean));
+  int count = 0;
+  for (vtkIdType i = 0; i < diced->GetNumberOfPoints(); ++i)
+  {
+    // Away from the corners, where the halves of the squares are weighted by their angles.
+    const MesoVector p = PositionOf(diced, i);
+    if (p[0] == 1. && p[1] > 0. && p[1] < 1.)
+    {
+      EXPECT_LT(DistanceOf(TupleOf(diced, "Normals", i), mean), 1e-6);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 40);
 }
 
 TEST_F(DisplacedMeshClosed, SeamsTearByTheDifferenceOfTheHeights)

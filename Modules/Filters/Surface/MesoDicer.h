@@ -19,6 +19,7 @@
 #include "MesoDisplacement.h"
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct MesoDicedArrays
   Real* Normals;     ///< 3
   Real* Coordinates; ///< 2, the mesh's own
   Real* Reliefs;     ///< 1 - h
+  /// Where it is set, called for each point with those of the base that it lies between and their
+  /// weights: (count, points, weights, diced point).
+  std::function<void(int, const std::int64_t*, const double*, std::int64_t)> Carry;
 };
 
 template <typename Real>
@@ -82,6 +86,7 @@ public:
       if (places.empty() || places.back().Number != this->Plan.NumberOf(point))
       {
         places.push_back(this->PlaceAt(this->Surface.At(point), this->Plan.NumberOf(point)));
+        this->Carry<1>({ point }, { 1. }, places.back());
       }
       const std::int64_t triangle = corner / 3;
       this->AddNormal(this->Surface.DerivativesOf(triangle),
@@ -113,6 +118,7 @@ public:
         const double along = static_cast<double>(segment) / static_cast<double>(segments);
         places.push_back(this->PlaceAt(this->Surface.Between(side.Ends[0], side.Ends[1], along),
           this->Plan.PointOn(side, segment)));
+        this->Carry<2>(side.Ends, { 1. - along, along }, places.back());
         for (std::int64_t half = side.FirstHalfEdge; half < side.EndHalfEdge; ++half)
         {
           this->AddNormal(derivatives[half - sides[first].FirstHalfEdge], 1., places.back());
@@ -135,6 +141,8 @@ public:
       const MesoDicePlan::Inner inner = MesoDicePlan::InnerAt(grid, row, k);
       Place place =
         this->PlaceAt(this->Surface.Inside(grid.Triangle, inner.I, inner.J), inner.Point);
+      this->Carry<3>(
+        this->Mesh.Triangles[grid.Triangle], { 1. - inner.I - inner.J, inner.I, inner.J }, place);
       this->AddNormal(derivatives, 1., place);
       this->WriteOne(place, place);
     }
@@ -178,6 +186,16 @@ private:
       place.Gradient = this->Surface.Gradient(place.Point);
     }
     return place;
+  }
+
+  template <std::size_t N>
+  void Carry(const std::array<std::int64_t, N>& points, const std::array<double, N>& weights,
+    const Place& place) const
+  {
+    if (this->Arrays.Carry)
+    {
+      this->Arrays.Carry(static_cast<int>(N), points.data(), weights.data(), place.Number);
+    }
   }
 
   void AddNormal(

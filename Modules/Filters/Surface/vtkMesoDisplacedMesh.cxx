@@ -3,6 +3,7 @@
 #include "MesoDicer.h"
 #include "MesoFitInput.h"
 
+#include "vtkArrayListTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -16,6 +17,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt32Array.h"
 
+#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkMesoDisplacedMesh);
@@ -56,6 +58,26 @@ std::vector<float> HeightsOf(vtkImageData* image)
     }
   }
   return heights;
+}
+
+/// An array of the input as one of the output's, which `list` then fills. Nothing where the output has
+/// one of that name anyway.
+void AddCarried(const std::string& name, vtkIdType points, vtkPolyData* input, vtkPolyData* output,
+  ArrayList& list)
+{
+  if (name == "Normals" || name == "TextureCoordinates" || name == "MesoRelief")
+  {
+    return;
+  }
+  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfTuples() != input->GetNumberOfPoints() ||
+    array->GetDataType() == VTK_BIT)
+  {
+    throw std::invalid_argument(
+      "the mesh has no point array of numbers named " + name + ", which is to be carried");
+  }
+  vtkStdString own = name;
+  output->GetPointData()->AddArray(list.AddArrayPair(points, array, own, 0., true));
 }
 
 template <typename Array>
@@ -125,6 +147,23 @@ int vtkMesoDisplacedMesh::RequestData(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
+void vtkMesoDisplacedMesh::AddCarriedArray(const std::string& name)
+{
+  if (this->CarriedArrays.insert(name).second)
+  {
+    this->Modified();
+  }
+}
+
+void vtkMesoDisplacedMesh::ClearCarriedArrays()
+{
+  if (!this->CarriedArrays.empty())
+  {
+    this->CarriedArrays.clear();
+    this->Modified();
+  }
+}
+
 void vtkMesoDisplacedMesh::CheckParameters() const
 {
   const auto check = [](bool right, const char* name, double value, const char* range)
@@ -170,8 +209,8 @@ void vtkMesoDisplacedMesh::Execute(vtkPolyData* input, vtkImageData* heights, vt
   const MesoDisplacement displacement(
     surface, field, { this->Tiles[0], this->Tiles[1] }, this->Scale);
   const bool done = base.ArrayType() == VTK_DOUBLE
-    ? this->Fill<vtkDoubleArray>(plan, displacement, base.Mesh, output)
-    : this->Fill<vtkFloatArray>(plan, displacement, base.Mesh, output);
+    ? this->Fill<vtkDoubleArray>(plan, displacement, base.Mesh, input, output)
+    : this->Fill<vtkFloatArray>(plan, displacement, base.Mesh, input, output);
   if (!done)
   {
     output->Initialize();
@@ -198,7 +237,7 @@ bool vtkMesoDisplacedMesh::ForEach(vtkIdType size, double from, double to, const
 
 template <typename Array>
 bool vtkMesoDisplacedMesh::Fill(const MesoDicePlan& plan, const MesoDisplacement& surface,
-  const MesoTriangleMesh& mesh, vtkPolyData* output)
+  const MesoTriangleMesh& mesh, vtkPolyData* input, vtkPolyData* output)
 {
   const vtkIdType points = plan.NumberOfPoints();
   const auto positions = NewArray<Array>("Points", 3, points);
@@ -206,10 +245,25 @@ bool vtkMesoDisplacedMesh::Fill(const MesoDicePlan& plan, const MesoDisplacement
   const auto coordinates = NewArray<Array>("TextureCoordinates", 2, points);
   const auto reliefs = NewArray<Array>("MesoRelief", 1, points);
   const auto triangles = NewArray<vtkTypeInt32Array>("", 1, 3 * plan.NumberOfTriangles());
-  const MesoDicer<typename Array::ValueType> dicer(plan, surface, mesh,
-    { positions->GetPointer(0), normals->GetPointer(0), coordinates->GetPointer(0),
-      reliefs->GetPointer(0) },
-    this->DetailNormals);
+  ArrayList carried;
+  for (const std::string& name : this->CarriedArrays)
+  {
+    AddCarried(name, points, input, output, carried);
+  }
+  MesoDicedArrays<typename Array::ValueType> arrays = { positions->GetPointer(0),
+    normals->GetPointer(0), coordinates->GetPointer(0), reliefs->GetPointer(0), {} };
+  if (output->GetPointData()->GetNumberOfArrays() > 0)
+  {
+    arrays.Carry = [&carried](
+                     int count, const std::int64_t* ids, const double* weights, std::int64_t point)
+    {
+      vtkIdType from[3];
+      std::copy(ids, ids + count, from);
+      carried.Interpolate(count, from, weights, point);
+    };
+  }
+  const MesoDicer<typename Array::ValueType> dicer(
+    plan, surface, mesh, arrays, this->DetailNormals);
   std::int32_t* const corners = triangles->GetPointer(0);
 
   const bool done = this->ForEach(dicer.NumberOfVertices(), 0.1, 0.15,
@@ -273,6 +327,12 @@ void vtkMesoDisplacedMesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FacetsPerTexel: " << this->FacetsPerTexel << "\n";
   os << indent << "MaximumNumberOfTriangles: " << this->MaximumNumberOfTriangles << "\n";
   os << indent << "DetailNormals: " << (this->DetailNormals ? "On" : "Off") << "\n";
+  os << indent << "CarriedArrays:";
+  for (const std::string& name : this->CarriedArrays)
+  {
+    os << " " << name;
+  }
+  os << "\n";
   os << indent << "NumberOfTornEdges: " << this->NumberOfTornEdges << "\n";
   os << indent << "LargestTear: " << this->LargestTear << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";

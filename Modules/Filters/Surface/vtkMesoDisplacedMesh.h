@@ -24,7 +24,8 @@
  * - `TextureCoordinates` (2, active): the mesh's own.
  * - `MesoRelief` (1): depth 1 - h in [0,1].
  * Arrays and points are double where the input's positions are double, else float. The input's
- * other point and cell data are not carried along, its field data are.
+ * other point data are carried along where they are named (AddCarriedArray), interpolated; its cell
+ * data are not, its field data are.
  *
  * **Closed.** The number of segments of an edge is decided by that edge alone (MesoDicePlan.h), and
  * a point on it is computed once for all triangles and charts around: a closed mesh gives a closed
@@ -35,7 +36,7 @@
  * vtkSMPTools runs over points and triangles; results do not depend on the number of threads. An
  * update that is aborted gives an empty output. An input without points gives an output without
  * points. One vtkErrorMacro line and an empty output are given for more triangles than
- * MaximumNumberOfTriangles (before memory is taken for them), for missing texture coordinates,
+ * MaximumNumberOfTriangles (before memory is taken for them), for missing texture coordinates or carried arrays,
  * positions, normals, coordinates or heights that are not finite or heights outside [0,1] (the
  * first is named), cells with points that do not exist, and parameters out of range.
  *
@@ -48,6 +49,7 @@
 #include "mesoFiltersSurfaceModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <set>    // for names
 #include <string> // for messages
 
 class MesoDicePlan;
@@ -108,6 +110,13 @@ public:
   vtkBooleanMacro(DetailNormals, bool);
   ///@}
 
+  ///@{
+  /// Point arrays of the input that the output has too, interpolated linearly, those of integers as
+  /// floats; names of the output's own arrays change nothing. Default: none.
+  void AddCarriedArray(const std::string& name);
+  void ClearCarriedArrays();
+  ///@}
+
   /// Why the last update gave nothing; empty where it gave a mesh.
   const std::string& GetErrorMessage() const { return this->ErrorMessage; }
   /// Edges of the base along which the last output is torn.
@@ -133,7 +142,7 @@ private:
   void Execute(vtkPolyData* input, vtkImageData* heights, vtkPolyData* output);
   template <typename Array>
   bool Fill(const MesoDicePlan& plan, const MesoDisplacement& surface, const MesoTriangleMesh& mesh,
-    vtkPolyData* output);
+    vtkPolyData* input, vtkPolyData* output);
   template <typename Work>
   bool ForEach(vtkIdType size, double from, double to, const Work& work);
 
@@ -143,6 +152,7 @@ private:
   double FacetsPerTexel = 1.;
   vtkIdType MaximumNumberOfTriangles = 20000000;
   bool DetailNormals = true;
+  std::set<std::string> CarriedArrays;
   std::string ErrorMessage;
   vtkIdType NumberOfTornEdges = 0;
   double LargestTear = 0.;

@@ -287,7 +287,8 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
   return fit->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(const Object& object, const std::string& place)
+vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
+  const Object& object, const std::optional<MesoSceneColorBy>& colorBy, const std::string& place)
 {
   const MesoEffects effects = MesoEffectsOn(object.Options);
   if (effects.Empty())
@@ -309,6 +310,10 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(const Object& object, const 
   diced->SetTiles(object.Options.Tiles[0], object.Options.Tiles[1]);
   diced->SetWrap(object.Options.Wrap);
   diced->SetFacetsPerTexel(MesoFacetsPerTexel(object.Options.Quality));
+  if (colorBy && !colorBy->IsHeight())
+  {
+    diced->AddCarriedArray(colorBy->Array);
+  }
   diced->SetDetailNormals(effects.Has(MesoEffect::Shading));
   MesoRunAlgorithm(diced, place, this->Warnings);
   if (diced->GetNumberOfTornEdges() > 0)
@@ -364,7 +369,6 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     }
     else if (technique == MesoTechnique::Tessellated)
     {
-      object.Mesh = this->Dice(object, inScene + ".mesostructure");
       object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
     }
     else
@@ -384,11 +388,13 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       object.Mesh = turn->GetOutput();
     }
     object.Mapper->SetOptions(node.Mesostructure);
-    object.Mapper->SetInputData(object.Mesh);
+    object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
+        ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")
+        : object.Mesh);
     object.Mapper->ScalarVisibilityOff();
     if (node.Material.ColorBy)
     {
-      MesoSetSurfaceColors(*node.Material.ColorBy, object.Mapper);
+      MesoSetSurfaceColors(*node.Material.ColorBy, object.Mesh, object.Mapper);
     }
 
     object.Actor = vtkSmartPointer<vtkActor>::New();

@@ -33,7 +33,7 @@ public:
     std::string Name;
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
-    vtkSmartPointer<vtkPolyData> Mesh;       ///< what is drawn: with its frames, or diced
+    vtkSmartPointer<vtkPolyData> Mesh;       ///< the base, with its frames
     vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
     MesoMesostructureOptions Options;
   };
@@ -57,7 +57,8 @@ private:
     vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
 
   /// The object's mesh as the technique tessellated draws it.
-  vtkSmartPointer<vtkPolyData> Dice(const Object& object, const std::string& place);
+  vtkSmartPointer<vtkPolyData> Dice(
+    const Object& object, const std::optional<MesoSceneColorBy>& colorBy, const std::string& place);
 
   std::vector<Object> Objects;
   std::vector<std::string> Warnings;

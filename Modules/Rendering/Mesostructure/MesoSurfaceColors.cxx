@@ -106,7 +106,8 @@ vtkSmartPointer<vtkPolyData> MesoWithColorArray(vtkPolyData* mesh, const MesoSce
   return result;
 }
 
-void MesoSetSurfaceColors(const MesoSceneColorBy& colorBy, vtkMesoPolyDataMapper* mapper)
+void MesoSetSurfaceColors(
+  const MesoSceneColorBy& colorBy, vtkPolyData* base, vtkMesoPolyDataMapper* mapper)
 {
   if (colorBy.IsHeight())
   {
@@ -115,7 +116,7 @@ void MesoSetSurfaceColors(const MesoSceneColorBy& colorBy, vtkMesoPolyDataMapper
         colorBy.Range.value_or(std::array<double, 2>{ 0., 1. })));
     return;
   }
-  vtkDataArray* array = mapper->GetInput()->GetPointData()->GetArray(colorBy.Array.c_str());
+  vtkDataArray* array = base->GetPointData()->GetArray(colorBy.Array.c_str());
   const bool isMagnitude = !colorBy.Component && array->GetNumberOfComponents() > 1;
   const int component = isMagnitude ? -1 : colorBy.Component.value_or(0);
   std::string map = "viridis";

@@ -20,7 +20,9 @@ bool MesoColorNeedsFrames(const MesoSceneColorBy& colorBy);
 vtkSmartPointer<vtkPolyData> MesoWithColorArray(vtkPolyData* mesh, const MesoSceneColorBy& colorBy,
   const std::string& place, std::vector<std::string>& warnings);
 
-/// Makes the mapper, whose input has the array, colour by it.
-void MesoSetSurfaceColors(const MesoSceneColorBy& colorBy, vtkMesoPolyDataMapper* mapper);
+/// Makes the mapper colour by the array, which its input and the base mesh have. The range is that of
+/// the base mesh, so that it is the same in every technique.
+void MesoSetSurfaceColors(
+  const MesoSceneColorBy& colorBy, vtkPolyData* base, vtkMesoPolyDataMapper* mapper);
 
 #endif

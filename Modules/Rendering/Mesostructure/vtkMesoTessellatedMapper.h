@@ -7,7 +7,7 @@
  * The class adds what a pixel knows (vtkMesoAOVPass): `relief` is the point array `MesoRelief`
  * interpolated, 0 where the mesh has none; `texcoord` the mesh's texture coordinate times Tiles;
  * `shadow` 1 where the flat facet faces away from the light, else 0, as detail does not shade itself.
- * The array goes to the GPU for those passes alone.
+ * The array goes to the GPU for those passes and for colours by height alone.
  *
  * Scale and quality of the options have had their say when the mesh was diced and do nothing here.
  *

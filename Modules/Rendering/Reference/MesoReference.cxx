@@ -2,6 +2,7 @@
 
 #include "MesoReferenceLighting.h"
 #include "MesoReferenceTracer.h"
+#include "MesoSampling.h"
 #include "MesoSceneAttributes.h"
 #include "MesoSceneBuilder.h"
 #include "vtkActor.h"
@@ -23,18 +24,6 @@ namespace
 const char* const Channels[] = { "coverage", "depth", "texcoord.u", "texcoord.v", "relief",
   "normal.x", "normal.y", "normal.z", "object", "fetches", "texel_reads", "iterations" };
 constexpr int NumberOfChannels = 12;
-
-/// The radical inverse of an index: the places of samples in a pixel.
-double RadicalInverse(int index, int base)
-{
-  double value = 0.;
-  double digit = 1. / base;
-  for (; index > 0; index /= base, digit /= base)
-  {
-    value += digit * (index % base);
-  }
-  return value;
-}
 
 void CollectMeshes(const std::vector<MesoSceneNode>& nodes, std::vector<MesoSceneMesh>& meshes)
 {
@@ -93,6 +82,7 @@ struct MesoReference::Implementation
     bool Hit = false;
     MesoReferenceHit At;
     MesoReferencePoint Point;
+    glm::dvec3 Place; ///< in the world
     bool MeetsBase = false;
   };
 
@@ -114,8 +104,13 @@ struct MesoReference::Implementation
   {
   }
 
-  Sample Look(
-    double x, double y, double aspect, std::vector<double>& blocked, MesoTraceWork& work) const;
+  /// What is seen at a place of the picture, without bounced light.
+  Sample Look(double x, double y, double aspect, bool shadowsOnPlain, std::vector<double>& blocked,
+    MesoTraceWork& work) const;
+  /// Light that reaches a sample's point over `bounces` diffuse surfaces, along one path whose first
+  /// direction is that of two numbers in [0,1).
+  glm::dvec3 Bounced(const Sample& sample, int bounces, const glm::dvec2& first, MesoRandom random,
+    std::vector<double>& blocked, MesoTraceWork& work) const;
   void FindBlocked(const Sample& sample, const glm::dvec3& place, std::vector<double>& blocked,
     MesoTraceWork& work) const;
   void Fill(const Sample& sample, const std::vector<double>& blocked, float* values) const;
@@ -193,8 +188,43 @@ void MesoReference::Implementation::FindBlocked(const Sample& sample, const glm:
   }
 }
 
-MesoReference::Implementation::Sample MesoReference::Implementation::Look(
-  double x, double y, double aspect, std::vector<double>& blocked, MesoTraceWork& work) const
+glm::dvec3 MesoReference::Implementation::Bounced(const Sample& sample, int bounces,
+  const glm::dvec2& first, MesoRandom random, std::vector<double>& blocked,
+  MesoTraceWork& work) const
+{
+  glm::dvec3 light(0.);
+  glm::dvec3 carried(1.);
+  Sample from = sample;
+  glm::dvec2 numbers = first;
+  for (int bounce = 0; bounce < bounces; ++bounce)
+  {
+    // Directions as dense as Lambert's cosine: what they bring counts by the albedo alone.
+    carried *= this->Materials[from.At.Object].Albedo(from.Point.MapCoord);
+    MesoReferenceTracer::Ray ray;
+    ray.Direction = MesoCosineDirection(from.Point.Shading, numbers.x, numbers.y);
+    numbers = { random.Next(), random.Next() };
+    if (!(glm::dot(ray.Direction, from.Point.Geometric) > 0.))
+    {
+      break;
+    }
+    ray.Origin = from.Place + 1e-3 * from.Point.TexelSize * from.Point.Geometric;
+    ray.TMax = std::numeric_limits<double>::infinity();
+    if (!this->Tracer->Trace(ray, from.At, work))
+    {
+      break;
+    }
+    from.Point = this->Surfaces[from.At.Object]->Describe(from.At, ray.Direction);
+    from.Place = ray.Origin + from.At.T * ray.Direction;
+    this->FindBlocked(from, from.Place, blocked, work);
+    light += carried *
+      this->Materials[from.At.Object].ShadeDiffuse(
+        this->Lights, blocked, from.Place, from.Point.Shading, from.Point.MapCoord);
+  }
+  return light;
+}
+
+MesoReference::Implementation::Sample MesoReference::Implementation::Look(double x, double y,
+  double aspect, bool shadowsOnPlain, std::vector<double>& blocked, MesoTraceWork& work) const
 {
   Sample sample;
   sample.Color = this->Background;
@@ -210,15 +240,15 @@ MesoReference::Implementation::Sample MesoReference::Implementation::Look(
   const MesoReferenceSurface& surface = *this->Surfaces[sample.At.Object];
   sample.Point = surface.Describe(sample.At, ray.Direction);
   const glm::dvec3 place = ray.Origin + sample.At.T * ray.Direction;
+  sample.Place = place;
   this->FindBlocked(sample, place, blocked, work);
 
   // To the camera's position, as VTK takes it, in parallel projection as well.
   const glm::dvec3 eye = glm::normalize(this->Camera.Position - place);
   const std::vector<double> none(blocked.size(), 0.);
-  const glm::dvec3 color =
-    this->Materials[sample.At.Object].Shade(this->Lights, surface.IsDisplaced() ? blocked : none,
-      place, sample.Point.Shading, eye, sample.Point.MapCoord);
-  sample.Color = glm::clamp(color, 0., 1.);
+  const bool shadowed = shadowsOnPlain || surface.IsDisplaced();
+  sample.Color = this->Materials[sample.At.Object].Shade(this->Lights, shadowed ? blocked : none,
+    place, sample.Point.Shading, eye, sample.Point.MapCoord);
 
   ray.TMax = sample.At.T + 1e-9 * std::abs(sample.At.T);
   sample.MeetsBase = !sample.At.Behind &&
@@ -242,14 +272,15 @@ void MesoReference::Implementation::Fill(
   *next = sample.MeetsBase ? 1.f : 0.f;
 }
 
-MesoReferenceResult MesoReference::Render(
-  int width, int height, int samples, const std::function<bool(double)>& progress) const
+MesoReferenceResult MesoReference::Render(int width, int height, int samples,
+  const std::function<bool(double)>& progress, int bounces) const
 {
-  if (width < 1 || height < 1 || width > LargestSize || height > LargestSize || samples < 1)
+  if (width < 1 || height < 1 || width > LargestSize || height > LargestSize || samples < 1 ||
+    bounces < 0)
   {
     throw MesoInputError("a reference of " + std::to_string(width) + " x " +
-      std::to_string(height) + " pixels and " + std::to_string(samples) +
-      " samples cannot be rendered");
+      std::to_string(height) + " pixels, " + std::to_string(samples) + " samples and " +
+      std::to_string(bounces) + " bounces cannot be rendered");
   }
   const auto start = std::chrono::steady_clock::now();
   const Implementation& inside = *this->Inside;
@@ -281,20 +312,39 @@ MesoReferenceResult MesoReference::Render(
     {
       std::fill(blocked.begin(), blocked.end(), 0.);
       return inside.Look(2. * (static_cast<double>(column) + 0.5 + offX) / width - 1.,
-        2. * (static_cast<double>(row) + 0.5 + offY) / height - 1., aspect, blocked, work);
+        2. * (static_cast<double>(row) + 0.5 + offY) / height - 1., aspect, bounces > 0, blocked,
+        work);
+    };
+    // Each pixel's directions are the same even points, moved by an amount of its own.
+    const std::uint64_t seed = static_cast<std::uint64_t>(pixel) * 0x100000001b3u;
+    MesoRandom random(seed);
+    const glm::dvec2 shift(random.Next(), random.Next());
+    const auto colorOf = [&](const Implementation::Sample& sample, int number)
+    {
+      if (!sample.Hit || bounces == 0)
+      {
+        return glm::clamp(sample.Color, 0., 1.);
+      }
+      const glm::dvec2 first = glm::fract(
+        shift + glm::dvec2(MesoRadicalInverse(number, 5), MesoRadicalInverse(number, 7)));
+      return sample.Color +
+        inside.Bounced(sample, bounces, first, MesoRandom(seed + number), blocked, work);
     };
     const Implementation::Sample centre = look(0., 0.);
     const std::size_t fromTop = std::size_t(height - 1 - row) * width + column;
     inside.Fill(centre, blocked, &aovs.Data[channels * fromTop]);
-    glm::dvec3 color = samples == 1 ? centre.Color : glm::dvec3(0.);
+    glm::dvec3 color = samples == 1 ? colorOf(centre, 0) : glm::dvec3(0.);
     for (int sample = 1; sample <= samples && samples > 1; ++sample)
     {
-      color += look(RadicalInverse(sample, 2) - 0.5, RadicalInverse(sample, 3) - 0.5).Color /
+      color +=
+        colorOf(
+          look(MesoRadicalInverse(sample, 2) - 0.5, MesoRadicalInverse(sample, 3) - 0.5), sample) /
         double(samples);
     }
     for (int k = 0; k < 3; ++k)
     {
-      bytes[3 * pixel + k] = static_cast<unsigned char>(std::lround(255. * color[k]));
+      bytes[3 * pixel + k] =
+        static_cast<unsigned char>(std::lround(255. * glm::clamp(color[k], 0., 1.)));
     }
   };
 

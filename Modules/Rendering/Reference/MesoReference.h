@@ -95,10 +95,14 @@ public:
    *
    * @param progress is called now and then with the part that is done; false aborts, and the
    *   result then has no picture.
-   * Throws MesoInputError for sizes out of [1, LargestSize] and samples less than 1.
+   * @param bounces diffuse surfaces that light may come over on its way from a light to the surface
+   *   that is seen. 0: light comes straight. More: paths are traced, one a sample, so that the picture
+   *   is noisy unless there are many; light is then blocked on plain nodes as well. The AOVs stay.
+   * Throws MesoInputError for sizes out of [1, LargestSize], samples less than 1 and bounces less
+   * than 0.
    */
-  MesoReferenceResult Render(
-    int width, int height, int samples = 1, const std::function<bool(double)>& progress = {}) const;
+  MesoReferenceResult Render(int width, int height, int samples = 1,
+    const std::function<bool(double)>& progress = {}, int bounces = 0) const;
 
 private:
   struct Implementation;

@@ -200,3 +200,23 @@ glm::dvec3 MesoReferenceMaterial::Shade(const std::vector<MesoReferenceLight>& l
   }
   return color;
 }
+
+glm::dvec3 MesoReferenceMaterial::Albedo(const glm::dvec2& mapCoord) const
+{
+  return this->Width > 0 ? this->Diffuse * this->TextureAt(mapCoord) : this->Diffuse;
+}
+
+glm::dvec3 MesoReferenceMaterial::ShadeDiffuse(const std::vector<MesoReferenceLight>& lights,
+  const std::vector<double>& blocked, const glm::dvec3& point, const glm::dvec3& shading,
+  const glm::dvec2& mapCoord) const
+{
+  glm::dvec3 light(lights.empty() ? 1. : 0.); // VTK without lights: all at full
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    double distance = 0.;
+    const glm::dvec3 towards = lights[i].Towards(point, distance);
+    light += std::max(0., lights[i].AttenuationAt(point) * glm::dot(shading, towards)) *
+      (1. - blocked[i]) * lights[i].Radiance;
+  }
+  return this->Albedo(mapCoord) * light;
+}

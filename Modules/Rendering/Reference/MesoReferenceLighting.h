@@ -75,6 +75,14 @@ public:
     const std::vector<double>& blocked, const glm::dvec3& point, const glm::dvec3& shading,
     const glm::dvec3& eye, const glm::dvec2& mapCoord) const;
 
+  /// What the surface makes of diffuse light: the fraction of each colour that it sends on.
+  glm::dvec3 Albedo(const glm::dvec2& mapCoord) const;
+
+  /// The diffuse part of Shade(): what the lights alone, without ambient and specular, give.
+  glm::dvec3 ShadeDiffuse(const std::vector<MesoReferenceLight>& lights,
+    const std::vector<double>& blocked, const glm::dvec3& point, const glm::dvec3& shading,
+    const glm::dvec2& mapCoord) const;
+
 private:
   glm::dvec3 TextureAt(const glm::dvec2& mapCoord) const;
 

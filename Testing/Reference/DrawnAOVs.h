@@ -1,0 +1,42 @@
+#ifndef DrawnAOVs_h
+#define DrawnAOVs_h
+
+// A scene as its mappers draw it: what its pixels know, as the reference gives it.
+
+#include "MesoAOVs.h"
+#include "MesoSceneAttributes.h"
+#include "MesoSceneBuilder.h"
+#include "vtkMesoAOVPass.h"
+#include "vtkMesoEGLRenderWindow.h"
+
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+
+inline MesoAOVs DrawnAOVs(const MesoScene& scene, int width, int height)
+{
+  vtkNew<vtkMesoEGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(width, height);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  MesoSceneBuilder builder;
+  builder.Build(scene, renderer);
+  vtkNew<vtkMesoAOVPass> pass;
+  for (const auto& object : builder.GetObjects())
+  {
+    pass->SetObjectNumber(object.Actor, object.Number);
+  }
+  renderer->SetPass(pass);
+  window->Render();
+  renderer->SetPass(nullptr);
+  MesoExrImage image;
+  image.Width = width;
+  image.Height = height;
+  image.ChannelNames = pass->GetChannelNames();
+  image.Data = pass->GetInterleaved(image.ChannelNames);
+  image.Attributes = MesoAttributesOfScene(builder, renderer, double(width) / height);
+  pass->ReleaseGraphicsResources(window);
+  return MesoAOVsOfImage(image);
+}
+
+#endif
