@@ -53,7 +53,7 @@ std::string Escaped(const std::string& text)
   return escaped;
 }
 
-/// Three digits; a dash for what is not known.
+/// Three digits, or all that stand before the point; a dash for what is not known.
 std::string Number(const std::optional<double>& value)
 {
   if (!value)
@@ -61,13 +61,19 @@ std::string Number(const std::optional<double>& value)
     return "&ndash;";
   }
   char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", *value);
+  std::snprintf(text, sizeof(text), std::abs(*value) < 1000. ? "%.3g" : "%.0f", *value);
   return text;
 }
 
 std::string Number(const Json& value)
 {
   return Number(value.is_number() ? std::optional<double>(value.get<double>()) : std::nullopt);
+}
+
+/// How many times as long as plain; nothing where the floor was too short to be measured.
+std::string TimesPlain(const Json& row)
+{
+  return row["ratio_to_floor"].is_null() ? "" : ", x" + Number(row["ratio_to_floor"]);
 }
 
 /// Colours that are told apart, also by those who see fewer of them.
@@ -192,8 +198,7 @@ void WriteCosts(std::ostream& page, const std::string& name, const std::vector<c
   {
     const Json* row = CheapestWithin(rows, texels);
     page << "<td>"
-         << (row ? BenchLabel(*row) + ", " + Number(BenchTime(*row)) + " ms, x" +
-                  Number((*row)["ratio_to_floor"])
+         << (row ? BenchLabel(*row) + ", " + Number(BenchTime(*row)) + " ms" + TimesPlain(*row)
                  : "not reached")
          << "</td>";
   }
@@ -204,7 +209,7 @@ void WriteCosts(std::ostream& page, const std::string& name, const std::vector<c
 
 void StartCosts(std::ostream& page, const std::string& title)
 {
-  page << "<table><tr><th>" << title << "</th>";
+  page << "<div class=\"wrap\"><table><tr><th>" << title << "</th>";
   for (const double texels : BenchErrors)
   {
     page << "<th>" << texels << " texel</th>";
@@ -230,7 +235,7 @@ void WriteMostExact(std::ostream& page, const BenchResults& results)
 {
   page
     << "<h2>The most exact setting of each technique</h2>\n<p>texcoord_p95 in texels, and its time "
-       "as a multiple of plain.</p>\n<table><tr><th>scene</th>";
+       "as a multiple of plain.</p>\n<div class=\"wrap\"><table><tr><th>scene</th>";
   for (const std::string& technique : MesoTechniqueNames())
   {
     page << "<th>" << technique << "</th>";
@@ -245,15 +250,14 @@ void WriteMostExact(std::ostream& page, const BenchResults& results)
       const std::vector<const Json*> own = PointersTo(rows, technique);
       const Json* best = MostExact(own);
       page << (own.empty() || best ? "<td>" : "<td class=\"bad\">")
-           << (best ? Number(BenchFigure(*best, "texcoord_p95")) + ", x" +
-                    Number((*best)["ratio_to_floor"])
+           << (best             ? Number(BenchFigure(*best, "texcoord_p95")) + TimesPlain(*best)
                   : own.empty() ? "not measured"
                                 : "refused")
            << "</td>";
     }
     page << "</tr>\n";
   }
-  page << "</table>\n";
+  page << "</table></div>\n";
 }
 
 void WritePictures(std::ostream& page, const Rows& rows)
@@ -331,7 +335,7 @@ void WriteScene(
   {
     WriteCosts(page, technique, PointersTo(rows, technique));
   }
-  page << "</table>\n";
+  page << "</table></div>\n";
   WriteTable(page, rows);
   WritePictures(page, rows);
 }
@@ -363,7 +367,7 @@ void WriteReport(const BenchResults& results, const std::string& folder)
     const Rows rows = results.RowsOf(scene["scene"]);
     WriteCosts(page, "<a href=\"#" + name + "\">" + name + "</a>", PointersTo(rows));
   }
-  page << "</table>\n";
+  page << "</table></div>\n";
   WriteMostExact(page, results);
   for (const Json& scene : all["scenes"])
   {
