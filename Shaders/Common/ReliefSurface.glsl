@@ -1,5 +1,16 @@
-// What the relief techniques share around their search: the side that has relief, the start of a
-// shadow ray, and normals. Stands on Kernels/Frame and Kernels/LinearBinarySearch.
+// The contract of a technique for those that search a height map: what they share around their
+// search. Stands on Kernels/Frame, HeightField and LinearBinarySearch. The technique itself defines
+// the three functions that are declared here.
+
+// Follow the view ray to the hit's RayLength, MapCoord, Relief, Fetches and Iterations, or to a miss.
+// Where no ray can be followed the hit stays the base, and the result is false.
+bool followRay(MesoFragment f, inout MesoSurfaceHit hit);
+// Unit normal of the relief at a hit, for dh/du, dh/dv = gradient.
+vec3 reliefNormal(MesoFragment f, MesoSurfaceHit hit, vec2 gradient);
+// Does the detail block light from a direction and distance? travel: that direction in the relief's
+// coordinates (directionInTS); lift: the offset of the shadow ray's start, likewise.
+float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, float lightDistance,
+  out int fetches);
 
 // A ray that runs further than this many tiles in the relief grazes the surface so flatly that a
 // float no longer tells neighbouring texels apart: the base itself is drawn.
@@ -16,14 +27,6 @@ bool seenFromBehind(MesoFragment f)
 bool directionInTS(MesoFragment f, vec3 directionVC, out vec3 directionTS)
 {
   return solveFrame(f.PerMapU, f.PerMapV, f.PerDepth, directionVC, directionTS);
-}
-
-// The offset of a shadow ray's start, in the relief's coordinates: 1e-3 texel off the surface along
-// the facet's normal.
-bool shadowOffset(MesoFragment f, MesoSurfaceHit hit, out vec3 offsetTS)
-{
-  vec2 texel = vec2(length(f.PerMapU), length(f.PerMapV)) / vec2(mapSize());
-  return directionInTS(f, 1.0e-3 * min(texel.x, texel.y) * hit.FacetNormalVC, offsetTS);
 }
 
 // The unit normal q_u x q_v whose coordinates count PerMapV x PerDepth, PerDepth x PerMapU and
@@ -48,4 +51,58 @@ void takeSearch(HeightHit found, inout MesoSurfaceHit hit)
   hit.Relief = found.Relief;
   hit.Fetches = found.Fetches;
   hit.Iterations = found.Iterations;
+}
+
+MesoSurfaceHit traceSurface(MesoFragment f)
+{
+  MesoSurfaceHit hit = baseSurface(f);
+  if (seenFromBehind(f))
+  {
+    return hit;
+  }
+#ifdef MESO_OCCLUSION
+  if (!followRay(f, hit))
+  {
+    return hit;
+  }
+#else
+  hit.Relief = 1.0 - bilinearHeight(f.MapCoord);
+  hit.Fetches = 1;
+#endif
+  hit.TexelReads = 4 * hit.Fetches;
+#ifdef MESO_SHADING
+  hit.NormalVC = reliefNormal(f, hit, heightGradient(hit.MapCoord));
+  hit.Fetches += 1;
+  hit.TexelReads += 12;
+#endif
+#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
+  hit.FacetNormalVC = reliefNormal(f, hit, patchGradient(hit.MapCoord));
+#endif
+#ifdef MESO_SELF_SHADOW
+  hit.Fetches += 1; // the facet's; AOVs alone do not count as cost
+  hit.TexelReads += 4;
+#endif
+  return hit;
+}
+
+float blockedFraction(
+  MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
+{
+  fetches = 0;
+  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
+  {
+    return 1.0;
+  }
+#ifdef MESO_SELF_SHADOW
+  // The shadow ray starts 1e-3 texel off the surface along the facet's normal.
+  vec2 texel = vec2(length(f.PerMapU), length(f.PerMapV)) / vec2(mapSize());
+  vec3 travel;
+  vec3 lift;
+  if (!seenFromBehind(f) && directionInTS(f, lightOutVC, travel) &&
+    directionInTS(f, 1.0e-3 * min(texel.x, texel.y) * hit.FacetNormalVC, lift))
+  {
+    return reliefBlocks(f, hit, travel, lift, lightDistance, fetches);
+  }
+#endif
+  return 0.0; // no relief here: the base's own normal has decided
 }

@@ -3,100 +3,70 @@
 // Model: around the fragment the base is the quadric z(u, v) below its tangent plane, and depth is
 // counted from it along the fragment's normal (equation 7). A straight ray of rates (u, v, z)' is
 // then z' t - quadric(u', v') t^2 deep: it either meets the bottom or comes back to depth 0 and
-// misses. Stands on Common/ReliefSurface and Kernels/Quadric, HeightField, LinearBinarySearch.
+// misses. Stands on Kernels/Quadric. Completes Common/ReliefSurface.
 //   MESO_LINEAR_STEPS, MESO_BINARY_STEPS  the search's steps
 //   MESO_CURVATURE   the quadric of the vertices is used; without it, it is the tangent plane
 //   MESO_SILHOUETTE  rays that come back are not drawn; without it, they draw the base
 
-// Normal of the relief at a hit, over the quadric's own frame there.
-vec3 reliefNormal(MesoFragment f, vec2 mapCoord, float relief, vec2 gradient)
+// A path so long that a float no longer tells neighbouring texels apart is not followed.
+bool canBeFollowed(HeightPath path)
 {
-  return normalOfCross(
-    f, displacedCross(f.Quadric, f.Metric, mapCoord - f.MapCoord, relief, gradient));
+  return abs(path.MapSpan.x) + abs(path.MapSpan.y) < MESO_MAX_TILES;
 }
 
-MesoSurfaceHit traceSurface(MesoFragment f)
+bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
 {
-  MesoSurfaceHit hit = baseSurface(f);
-  if (seenFromBehind(f))
-  {
-    return hit;
-  }
-#ifdef MESO_OCCLUSION
   vec3 rate; // of u, v and depth along the view ray
   if (!directionInTS(f, f.ViewVC, rate))
   {
-    return hit;
+    return false;
   }
   float bend = quadricDepth(f.Quadric, rate.xy);
   float depthEnd;
   float lengthEnd = leaveShell(0.0, rate.z, bend, depthEnd);
   HeightPath path = bentPath(f.MapCoord, rate.xy, 0.0, depthEnd, bend, lengthEnd);
-  if (!(abs(path.MapSpan.x) + abs(path.MapSpan.y) < MESO_MAX_TILES))
+  if (!canBeFollowed(path))
   {
-    return hit;
+    return false;
   }
   // A ray that leaves at once can only meet what lies at depth 0.
   HeightHit found =
     searchLinearBinary(path, lengthEnd > 0.0 ? MESO_LINEAR_STEPS : 1, MESO_BINARY_STEPS);
-  if (!found.Hit)
+  if (found.Hit)
   {
-#ifdef MESO_SILHOUETTE
-    hit.Found = depthEnd > 0.0; // only a number that is not finite misses the bottom
-#endif
-    return hit;
+    hit.RayLength = found.Part * lengthEnd;
+    takeSearch(found, hit);
   }
-  hit.RayLength = found.Part * lengthEnd;
-  takeSearch(found, hit);
-#else
-  hit.Relief = 1.0 - bilinearHeight(f.MapCoord);
-  hit.Fetches = 1;
+#ifdef MESO_SILHOUETTE
+  else
+  {
+    hit.Found = depthEnd > 0.0; // only a number that is not finite misses the bottom
+  }
 #endif
-  hit.TexelReads = 4 * hit.Fetches;
-#ifdef MESO_SHADING
-  hit.NormalVC = reliefNormal(f, hit.MapCoord, hit.Relief, heightGradient(hit.MapCoord));
-  hit.Fetches += 1;
-  hit.TexelReads += 12;
-#endif
-#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
-  hit.FacetNormalVC = reliefNormal(f, hit.MapCoord, hit.Relief, patchGradient(hit.MapCoord));
-#endif
-#ifdef MESO_SELF_SHADOW
-  hit.Fetches += 1; // the facet's; AOVs alone do not count as cost
-  hit.TexelReads += 4;
-#endif
-  return hit;
+  return found.Hit;
+}
+
+// Over the quadric's own frame at the hit.
+vec3 reliefNormal(MesoFragment f, MesoSurfaceHit hit, vec2 gradient)
+{
+  return normalOfCross(f,
+    displacedCross(f.Quadric, f.Metric, hit.MapCoord - f.MapCoord, hit.Relief, gradient));
 }
 
 // The light's ray runs through the same bent shell as the view ray's, from the hit until it comes
 // up to depth 0, goes down to the bottom, which blocks it, or reaches the light.
-float blockedFraction(
-  MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
+float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, float lightDistance,
+  out int fetches)
 {
   fetches = 0;
-  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
-  {
-    return 1.0;
-  }
-  if (seenFromBehind(f))
-  {
-    return 0.0;
-  }
-#ifdef MESO_SELF_SHADOW
-  vec3 rate;
-  vec3 lift;
-  if (!directionInTS(f, lightOutVC, rate) || !shadowOffset(f, hit, lift))
-  {
-    return 0.0; // no relief here: the base's own normal has decided
-  }
   vec2 gradient = quadricGradient(f.Quadric, hit.MapCoord - f.MapCoord);
   float depthStart = hit.Relief + lift.z - dot(gradient, lift.xy);
   if (!(depthStart > 0.0))
   {
     return 0.0;
   }
-  float slope = rate.z - dot(gradient, rate.xy);
-  float bend = quadricDepth(f.Quadric, rate.xy);
+  float slope = travel.z - dot(gradient, travel.xy);
+  float bend = quadricDepth(f.Quadric, travel.xy);
   float depthEnd;
   float lengthEnd = leaveShell(depthStart, slope, bend, depthEnd);
   if (lightDistance < lengthEnd)
@@ -108,13 +78,8 @@ float blockedFraction(
   {
     return 1.0;
   }
-  HeightPath path = bentPath(hit.MapCoord + lift.xy, rate.xy, depthStart, depthEnd, bend, lengthEnd);
-  if (!(abs(path.MapSpan.x) + abs(path.MapSpan.y) < MESO_MAX_TILES))
-  {
-    return 1.0; // the light hardly rises out of the surface
-  }
-  return occludedLinear(path, MESO_LINEAR_STEPS, fetches);
-#else
-  return 0.0;
-#endif
+  HeightPath path =
+    bentPath(hit.MapCoord + lift.xy, travel.xy, depthStart, depthEnd, bend, lengthEnd);
+  // Too long a path: the light hardly rises out of the surface.
+  return canBeFollowed(path) ? occludedLinear(path, MESO_LINEAR_STEPS, fetches) : 1.0;
 }

@@ -156,7 +156,19 @@ const char* const ShinyTorus = R"("background": [0.1, 0.3, 0.2],
 const char* const Perspective = R"("camera": {"position": [0.3, 0.4, 4.5], "view_angle": 36}, )";
 const char* const Parallel = R"("camera": {"position": [0.3, 0.4, 4.5], "parallel_scale": 1.3}, )";
 
-class LightsOfAllKinds : public testing::TestWithParam<std::pair<const char*, const char*>>
+struct Lights
+{
+  const char* Name;
+  const char* List;
+};
+
+// GoogleTest puts it into the test's name, which must not change from run to run.
+void PrintTo(const Lights& lights, std::ostream* stream)
+{
+  *stream << lights.Name;
+}
+
+class LightsOfAllKinds : public testing::TestWithParam<Lights>
 {
 };
 }
@@ -189,28 +201,28 @@ TEST_P(LightsOfAllKinds, LightAPlainMeshAsVTKDoes)
 {
   for (const char* camera : { Perspective, Parallel })
   {
-    const Both both(std::string(camera) + R"("lights": )" + GetParam().second + ", " + ShinyTorus);
+    const Both both(std::string(camera) + R"("lights": )" + GetParam().List + ", " + ShinyTorus);
     // A step of 255 for rounding; an outline's pixel may be covered by one and not by the other.
     EXPECT_LT(both.ColorsApart(1), 1e-3) << camera;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, LightsOfAllKinds,
-  testing::Values(std::make_pair("None", "[]"),
-    std::make_pair("Headlight", R"([{"type": "headlight", "color": [1, 0.8, 0.6]}])"),
-    std::make_pair("TwoHeadlights", R"([{"type": "headlight", "intensity": 0.4},
-                                        {"type": "headlight", "intensity": 0.3}])"),
-    std::make_pair("Directional", R"([{"type": "directional", "direction": [-1, -0.5, -1]},
-      {"type": "directional", "direction": [1, 0.2, -0.3], "color": [0.2, 0.4, 0.1]}])"),
-    std::make_pair("OfTheCamera", R"([{"type": "directional", "direction": [-1, -0.5, -1],
+  testing::Values(Lights{ "None", "[]" },
+    Lights{ "Headlight", R"([{"type": "headlight", "color": [1, 0.8, 0.6]}])" },
+    Lights{ "TwoHeadlights", R"([{"type": "headlight", "intensity": 0.4},
+                                        {"type": "headlight", "intensity": 0.3}])" },
+    Lights{ "Directional", R"([{"type": "directional", "direction": [-1, -0.5, -1]},
+      {"type": "directional", "direction": [1, 0.2, -0.3], "color": [0.2, 0.4, 0.1]}])" },
+    Lights{ "OfTheCamera", R"([{"type": "directional", "direction": [-1, -0.5, -1],
       "coordinates": "camera"}, {"type": "point", "position": [1, 1, -2], "intensity": 0.5,
-      "coordinates": "camera"}])"),
-    std::make_pair("PointWithAttenuation", R"([{"type": "point", "position": [1, 2, 1.5],
-      "attenuation": [0.5, 0.2, 0.1]}, {"type": "headlight", "intensity": 0.2}])"),
-    std::make_pair("Spot", R"([{"type": "spot", "position": [0.5, 1, 3],
-      "focal_point": [0.2, 0.1, 0], "cone_angle": 20, "exponent": 6}])")),
+      "coordinates": "camera"}])" },
+    Lights{ "PointWithAttenuation", R"([{"type": "point", "position": [1, 2, 1.5],
+      "attenuation": [0.5, 0.2, 0.1]}, {"type": "headlight", "intensity": 0.2}])" },
+    Lights{ "Spot", R"([{"type": "spot", "position": [0.5, 1, 3],
+      "focal_point": [0.2, 0.1, 0], "cone_angle": 20, "exponent": 6}])" }),
   [](const testing::TestParamInfo<LightsOfAllKinds::ParamType>& info)
-  { return std::string(info.param.first); });
+  { return std::string(info.param.Name); });
 
 TEST(ReferenceAgainstRender, ReliefOnAPlane)
 {

@@ -118,3 +118,21 @@ TEST(ReferenceDegenerate, CollapsedChartIsMovedEvenlyAndCounted)
   EXPECT_NEAR(ValueAt(result.AOVs, "depth", 10, 10), 5.05, 1e-6);
   EXPECT_NEAR(ValueAt(result.AOVs, "texcoord.u", 10, 10), 0.5, 1e-6);
 }
+
+TEST(ReferenceDegenerate, ChartsTooFarOutAreMovedEvenly)
+{
+  const MeshFile file(R"(v -1 -1 0
+v 1 -1 0
+v 1 1 0
+vn 0 0 1
+vt 0 0
+vt 1e30 0
+vt 1e30 1e30
+f 1/1/1 2/2/1 3/3/1
+)");
+  const MesoReference reference(SceneOf(
+    R"("camera": {"position": [0, 0, 5], "parallel_scale": 1}, "nodes": [)" + file.Node() + "]"));
+  const auto result = reference.Render(40, 40);
+  EXPECT_EQ(result.Counters.DegenerateTriangles, 1u);
+  EXPECT_NEAR(ValueAt(result.AOVs, "depth", 30, 30), 5.05, 1e-6);
+}

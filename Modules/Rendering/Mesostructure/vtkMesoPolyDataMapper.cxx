@@ -2,23 +2,19 @@
 
 #include "vtkMesoPolyDataMapper.h"
 
+#include "MesoActorPasses.h"
 #include "MesoHeightColors.h"
 #include "MesoShaderAssembler.h"
 #include "MesoShaderBuild.h"
 #include "MesoShaderLibrary.h"
 #include "MesoTechniqueShader.h"
+#include "MesoViewMatrices.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
-#include "vtkInformation.h"
-#include "vtkLightingMapPass.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLActor.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -41,33 +37,6 @@ vtkStandardNewMacro(vtkMesoPolyDataMapper);
 
 namespace
 {
-/// Whether the actor is being drawn by a pass of class T.
-template <typename T>
-bool InPass(vtkActor* actor)
-{
-  vtkInformation* info = actor->GetPropertyKeys();
-  if (!info || !info->Has(vtkOpenGLRenderPass::RenderPasses()))
-  {
-    return false;
-  }
-  for (int i = 0; i < info->Length(vtkOpenGLRenderPass::RenderPasses()); ++i)
-  {
-    if (T::SafeDownCast(info->Get(vtkOpenGLRenderPass::RenderPasses(), i)))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool InLightingMap(vtkActor* actor)
-{
-  vtkInformation* info = actor->GetPropertyKeys();
-  return info &&
-    (info->Has(vtkLightingMapPass::RENDER_NORMALS()) ||
-      info->Has(vtkLightingMapPass::RENDER_LUMINANCE()));
-}
-
 void DumpShader(const char* stage, const std::string& text)
 {
   const char* folder = std::getenv("MESO_DUMP_SHADERS");
@@ -193,7 +162,7 @@ std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor
   {
     return {};
   }
-  if (InPass<vtkShadowMapBakerPass>(actor))
+  if (MesoInPass<vtkShadowMapBakerPass>(actor))
   {
     return "Shadow map passes do not see the displaced surface yet: the base mesh is drawn.";
   }
@@ -287,7 +256,7 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->WarnOnce(uncolored);
   }
-  this->MapAttributes(shape, InPass<vtkMesoAOVPass>(actor) || this->HeightColorsReady);
+  this->MapAttributes(shape, MesoInPass<vtkMesoAOVPass>(actor) || this->HeightColorsReady);
   this->Superclass::RenderPieceStart(renderer, actor);
 }
 
@@ -313,9 +282,9 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.LightComplexity = info.LastLightCount > 0 ? info.LastLightComplexity : 0;
   build.LightCount = info.LastLightCount;
   build.Lit = info.LastLightComplexity > 0;
-  const bool aov = InPass<vtkMesoAOVPass>(actor);
+  const bool aov = MesoInPass<vtkMesoAOVPass>(actor);
   build.OwnLighting = build.LightComplexity > 0 &&
-    actor->GetProperty()->GetInterpolation() != VTK_PBR && !InLightingMap(actor);
+    actor->GetProperty()->GetInterpolation() != VTK_PBR && !MesoInLightingMap(actor);
 
   vtkPointData* points = this->CurrentInput->GetPointData();
   const bool triangles =
@@ -513,57 +482,9 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
-  vtkShaderProgram* program = cellBO.Program;
-  // A shader that needs no position (directional lights, neither occlusion nor depth) still needs
-  // the normal.
-  if (!program->IsUniformUsed("mesoMCVCMatrix") && !program->IsUniformUsed("mesoNormalMatrix") &&
-    !program->IsUniformUsed("mesoModelToView"))
-  {
-    return;
-  }
-  // VTK hands these matrices out transposed, so that products read from model to view.
-  auto* camera = static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera());
-  vtkMatrix4x4* wcvc;
-  vtkMatrix3x3* viewNormals;
-  vtkMatrix4x4* vcdc;
-  vtkMatrix4x4* wcdc;
-  camera->GetKeyMatrices(renderer, wcvc, viewNormals, vcdc, wcdc);
-  vtkMatrix4x4* mcwc;
-  vtkMatrix3x3* modelNormals;
-  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(mcwc, modelNormals);
-
-  vtkNew<vtkMatrix4x4> mcvc;
-  vtkNew<vtkMatrix3x3> normals;
-  mcvc->DeepCopy(wcvc);
-  normals->DeepCopy(viewNormals);
-  if (!actor->GetIsIdentity())
-  {
-    vtkMatrix4x4::Multiply4x4(mcwc, wcvc, mcvc);
-    vtkMatrix3x3::Multiply3x3(modelNormals, viewNormals, normals);
-  }
-  vtkNew<vtkMatrix3x3> linear;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      linear->SetElement(i, j, mcvc->GetElement(i, j));
-    }
-  }
   vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
-  if (positions && positions->GetCoordShiftAndScaleEnabled())
-  {
-    vtkMatrix4x4::Multiply4x4(this->VBOShiftScale, mcvc, mcvc);
-  }
-  program->SetUniformMatrix("mesoMCVCMatrix", mcvc);
-  program->SetUniformMatrix("mesoNormalMatrix", normals);
-  if (program->IsUniformUsed("mesoModelToView"))
-  {
-    program->SetUniformMatrix("mesoModelToView", linear);
-  }
-  if (program->IsUniformUsed("mesoVCDCMatrix"))
-  {
-    program->SetUniformMatrix("mesoVCDCMatrix", vcdc);
-  }
+  const bool moved = positions && positions->GetCoordShiftAndScaleEnabled();
+  MesoSetViewMatrices(cellBO.Program, renderer, actor, moved ? this->VBOShiftScale.Get() : nullptr);
 }
 
 std::size_t vtkMesoPolyDataMapper::GetGPUBytes()

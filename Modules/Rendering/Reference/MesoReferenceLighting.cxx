@@ -149,7 +149,9 @@ glm::dvec3 MesoReferenceMaterial::TextureAt(const glm::dvec2& mapCoord) const
 {
   const MesoHeightPyramid::Axis columns(this->Width, this->Wrap);
   const MesoHeightPyramid::Axis rows(this->Height, this->Wrap);
-  const glm::dvec2 at = mapCoord * glm::dvec2(this->Width, this->Height) - 0.5;
+  glm::dvec2 at = mapCoord * glm::dvec2(this->Width, this->Height) - 0.5;
+  constexpr double Farthest = 1e15; // beyond, a double no longer knows where in a texel it is
+  at = glm::clamp(at, -Farthest, Farthest);
   const glm::dvec2 low = glm::floor(at);
   const glm::dvec2 weight = at - low;
   const auto texel = [&](double x, double y)

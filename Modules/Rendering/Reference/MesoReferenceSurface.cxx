@@ -19,6 +19,9 @@ namespace
 constexpr std::array<glm::dvec2, 3> Barycentric = { glm::dvec2(0., 0.), glm::dvec2(1., 0.),
   glm::dvec2(0., 1.) };
 
+// Texels as far out as this cannot be told apart any more, and are counted in 64 bits.
+constexpr double FarthestTexel = 1e12;
+
 bool IsFinite(const glm::dvec3& v)
 {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -164,11 +167,13 @@ std::array<glm::dvec2, 3> MesoReferenceSurface::PlacesOf(std::size_t triangle) c
   if (this->Map)
   {
     const glm::dvec2 size(this->Map->X().Texels(), this->Map->Y().Texels());
+    bool far = false;
     for (int k = 0; k < 3; ++k)
     {
       places[k] = this->Coordinates[this->Triangles[triangle][k]] * size - 0.5;
+      far = far || std::max(std::abs(places[k].x), std::abs(places[k].y)) > FarthestTexel;
     }
-    if (!MesoTrianglePatch::Spans(places))
+    if (far || !MesoTrianglePatch::Spans(places))
     {
       places = Barycentric;
     }

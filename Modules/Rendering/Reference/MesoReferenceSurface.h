@@ -9,7 +9,7 @@
  * the base is to be smooth, the closed form of its built-in shape, cut into as many rectangles as
  * the mesh has. Displaced: q = p + (h - 1) D n. Not displaced (`plain`): q = p.
  *
- * A displaced triangle whose texture coordinates span no area, or are not finite, has no way to lay
+ * A displaced triangle whose texture coordinates span no area, are not finite or beyond 1e12 texels, has no way to lay
  * the map over it: it is displaced evenly, by the height at its middle, or not at all, and counted.
  */
 
