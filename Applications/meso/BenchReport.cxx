@@ -6,6 +6,7 @@
 #include "BenchReportParts.h"
 #include "MesoAtomicFile.h"
 #include "MesoDominated.h"
+#include "MesoErrorPictures.h"
 #include "MesoOptions.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ th, td { border: 1px solid #ddd; padding: 3px 7px; text-align: right; white-spac
 th { background: #f2f2f2; } td:first-child, th:first-child { text-align: left; }
 td.wide { text-align: left; white-space: normal; } td.bad { background: #fbe3e0; } tr.other td { color: #999; }
 img { max-width: 100%; } figure { margin: 1em 0; } figcaption { font-size: 13px; color: #555; }
-.plots img { width: 49%; } .wrap { overflow-x: auto; }
+.plots img { width: 49%; }
+.key { display: inline-block; width: 1em; height: 1em; vertical-align: -0.15em; } .wrap { overflow-x: auto; }
 </style></head><body>
 )";
 
@@ -299,6 +301,20 @@ void WriteScene(
   WriteTable(page, rows);
   WritePictures(page, rows);
 }
+
+/// What the colours of classes mean.
+void WriteLegend(std::ostream& page)
+{
+  page << "<p>Classes:";
+  for (int i = 0; i <= static_cast<int>(MesoPixelClass::Equal); ++i)
+  {
+    const auto kind = static_cast<MesoPixelClass>(i);
+    const MesoByteColor color = MesoColorOfClass(kind);
+    page << " <span class=\"key\" style=\"background: rgb(" << int(color[0]) << ' ' << int(color[1])
+         << ' ' << int(color[2]) << ")\"></span>&nbsp;" << MesoNameOfClass(kind);
+  }
+  page << ". FLIP errors: from black (0) over violet and orange to a pale yellow (1).</p>\n";
+}
 }
 
 void WriteReport(const BenchResults& results, const std::string& folder)
@@ -330,6 +346,7 @@ void WriteReport(const BenchResults& results, const std::string& folder)
   page << "</table></div>\n";
   WriteMostExact(page, results);
   WriteScaling(page, all["scaling"]);
+  WriteLegend(page);
   for (const Json& scene : all["scenes"])
   {
     WriteScene(page, results, scene, folder);
