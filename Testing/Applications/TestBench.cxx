@@ -282,7 +282,11 @@ TEST(MesoBench, RefusesWithOneLine)
 
 TEST(MesoBench, AblationShowsWhatEachEffectIsWorth)
 {
-  const SceneFolder scene(BrickSphere);
+  // Deep, on a mesh that is close to its smooth shape, lit from the side: all effects matter.
+  const SceneFolder scene(R"("lights": [{"type": "directional", "direction": [1, -0.6, -0.3]}],
+    "nodes": [{"mesh": {"shape": "sphere", "rings": 48, "sides": 96},
+      "mesostructure": {"technique": "relief", "scale": 0.12, "tiles": [8, 4],
+                        "height_map": {"pattern": "smooth", "size": [64, 64]}}}])");
   const MesoRun run = RunMeso(
     { "bench", scene.PathOf("scene.json"), "-o", scene.PathOf("out"), "--quick", "--size", "96x72",
       "--techniques", "relief-quadric,tessellated", "--qualities", "draft", "--ablation" });
