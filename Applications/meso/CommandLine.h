@@ -44,8 +44,7 @@ std::string AOVFileName(const std::string& picture);
 
 /// Throws where a result could not be written, two would go to one file, or one would go over a file
 /// that the command reads (`inputs`), before time is spent on them. Empty names are passed over.
-void CheckFileNames(
-  const std::vector<std::string>& names, const std::vector<std::string>& inputs);
+void CheckFileNames(const std::vector<std::string>& names, const std::vector<std::string>& inputs);
 
 /// Of these channels, those that AOV groups ("depth", "texcoord", "all", ...) stand for.
 std::vector<std::string> ChannelsOfGroups(
