@@ -1,9 +1,12 @@
 #include "BenchReport.h"
 
 #include "BenchAnalysis.h"
+#include "BenchHtml.h"
 #include "BenchPlot.h"
+#include "BenchReportParts.h"
 #include "MesoAtomicFile.h"
 #include "MesoDominated.h"
+#include "MesoErrorPictures.h"
 #include "MesoOptions.h"
 
 #include <algorithm>
@@ -26,55 +29,10 @@ th, td { border: 1px solid #ddd; padding: 3px 7px; text-align: right; white-spac
 th { background: #f2f2f2; } td:first-child, th:first-child { text-align: left; }
 td.wide { text-align: left; white-space: normal; } td.bad { background: #fbe3e0; } tr.other td { color: #999; }
 img { max-width: 100%; } figure { margin: 1em 0; } figcaption { font-size: 13px; color: #555; }
-.plots img { width: 49%; } .wrap { overflow-x: auto; }
+.plots img { width: 49%; }
+.key { display: inline-block; width: 1em; height: 1em; vertical-align: -0.15em; } .wrap { overflow-x: auto; }
 </style></head><body>
 )";
-
-std::string Escaped(const std::string& text)
-{
-  std::string escaped;
-  for (const char letter : text)
-  {
-    switch (letter)
-    {
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += letter;
-    }
-  }
-  return escaped;
-}
-
-/// Three digits, or all that stand before the point; a dash for what is not known.
-std::string Number(const std::optional<double>& value)
-{
-  if (!value)
-  {
-    return "&ndash;";
-  }
-  char text[32];
-  std::snprintf(text, sizeof(text), std::abs(*value) < 1000. ? "%.3g" : "%.0f", *value);
-  return text;
-}
-
-std::string Number(const Json& value)
-{
-  return Number(value.is_number() ? std::optional<double>(value.get<double>()) : std::nullopt);
-}
-
-/// How many times as long as plain; nothing where the floor was too short to be measured.
-std::string TimesPlain(const Json& row)
-{
-  return row["ratio_to_floor"].is_null() ? "" : ", x" + Number(row["ratio_to_floor"]);
-}
 
 /// Colours that are told apart, also by those who see fewer of them.
 std::array<unsigned char, 3> ColorOfTechnique(const std::string& name)
@@ -198,7 +156,8 @@ void WriteCosts(std::ostream& page, const std::string& name, const std::vector<c
   {
     const Json* row = CheapestWithin(rows, texels);
     page << "<td>"
-         << (row ? BenchLabel(*row) + ", " + Number(BenchTime(*row)) + " ms" + TimesPlain(*row)
+         << (row ? BenchLabel(*row) + ", " + Number(BenchTime(*row)) +
+                  Interval((*row)["gpu_ms"].value("interval", Json())) + " ms" + TimesPlain(*row)
                  : "not reached")
          << "</td>";
   }
@@ -336,8 +295,25 @@ void WriteScene(
     WriteCosts(page, technique, PointersTo(rows, technique));
   }
   page << "</table></div>\n";
+  WriteEqualError(page, rows);
+  WriteOrders(page, rows);
+  WriteAblation(page, results.AblationsOf(name));
   WriteTable(page, rows);
   WritePictures(page, rows);
+}
+
+/// What the colours of classes mean.
+void WriteLegend(std::ostream& page)
+{
+  page << "<p>Classes:";
+  for (int i = 0; i <= static_cast<int>(MesoPixelClass::Equal); ++i)
+  {
+    const auto kind = static_cast<MesoPixelClass>(i);
+    const MesoByteColor color = MesoColorOfClass(kind);
+    page << " <span class=\"key\" style=\"background: rgb(" << int(color[0]) << ' ' << int(color[1])
+         << ' ' << int(color[2]) << ")\"></span>&nbsp;" << MesoNameOfClass(kind);
+  }
+  page << ". FLIP errors: from black (0) over violet and orange to a pale yellow (1).</p>\n";
 }
 }
 
@@ -369,6 +345,8 @@ void WriteReport(const BenchResults& results, const std::string& folder)
   }
   page << "</table></div>\n";
   WriteMostExact(page, results);
+  WriteScaling(page, all["scaling"]);
+  WriteLegend(page);
   for (const Json& scene : all["scenes"])
   {
     WriteScene(page, results, scene, folder);

@@ -5,6 +5,7 @@
 #include "MesoScene.h" // for MesoInputError
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
@@ -40,12 +41,30 @@ Json DescribeMachine()
 }
 
 /// A row's place among those of its scene.
-std::pair<std::size_t, std::size_t> Order(const Json& row)
+std::array<std::size_t, 3> Order(const Json& row)
 {
   const auto place = [](const std::vector<std::string>& names, const std::string& name)
   { return std::size_t(std::find(names.begin(), names.end(), name) - names.begin()); };
-  return { place(MesoTechniqueNames(), row["technique"]),
-    place(MesoQualityNames(), row["quality"]) };
+  // "none", the row with all effects, comes last and is put first.
+  const std::size_t effects = MesoEffectNames().size() + 1;
+  return { place(MesoTechniqueNames(), row["technique"]), place(MesoQualityNames(), row["quality"]),
+    (place(MesoEffectNames(), row.value("without", "none")) + 1) % effects };
+}
+
+/// The rows of a scene in their order.
+std::vector<Json> SortedOf(const Json& rows, const std::string& scene)
+{
+  std::vector<Json> sorted;
+  for (const Json& row : rows)
+  {
+    if (row["scene"] == scene)
+    {
+      sorted.push_back(row);
+    }
+  }
+  std::sort(
+    sorted.begin(), sorted.end(), [](const Json& a, const Json& b) { return Order(a) < Order(b); });
+  return sorted;
 }
 
 /// A value as CSV holds it.
@@ -135,7 +154,8 @@ BenchResults::BenchResults(const std::string& folder, bool fresh)
   : Folder(folder)
 {
   this->Content = { { "format", FileFormat }, { "machine", DescribeMachine() }, { "device", "" },
-    { "version", MESO_VERSION }, { "scenes", Json::array() }, { "rows", Json::array() } };
+    { "version", MESO_VERSION }, { "scenes", Json::array() }, { "rows", Json::array() },
+    { "ablations", Json::array() }, { "scaling", nullptr } };
   const std::string name = folder + "/results.json";
   std::ifstream file(name);
   if (!file)
@@ -151,6 +171,8 @@ BenchResults::BenchResults(const std::string& folder, bool fresh)
   {
     this->Content["scenes"] = before["scenes"];
     this->Content["rows"] = before["rows"];
+    this->Content["ablations"] = before.value("ablations", Json::array());
+    this->Content["scaling"] = before.value("scaling", Json());
   }
 }
 
@@ -173,11 +195,14 @@ const Json* BenchResults::FindScene(const std::string& name, const std::string& 
 
 const Json* BenchResults::FindRow(const std::string& key) const
 {
-  for (const Json& row : this->Content["rows"])
+  for (const char* kind : { "rows", "ablations" })
   {
-    if (row["key"] == key)
+    for (const Json& row : this->Content[kind])
     {
-      return &row;
+      if (row["key"] == key)
+      {
+        return &row;
+      }
     }
   }
   return nullptr;
@@ -198,7 +223,8 @@ void BenchResults::SetScene(Json scene)
 
 void BenchResults::SetRow(Json row)
 {
-  for (Json& other : this->Content["rows"])
+  Json& rows = this->Content[row.contains("without") ? "ablations" : "rows"];
+  for (Json& other : rows)
   {
     if (other["scene"] == row["scene"] && Order(other) == Order(row))
     {
@@ -206,22 +232,17 @@ void BenchResults::SetRow(Json row)
       return;
     }
   }
-  this->Content["rows"].push_back(std::move(row));
+  rows.push_back(std::move(row));
 }
 
 std::vector<Json> BenchResults::RowsOf(const std::string& scene) const
 {
-  std::vector<Json> rows;
-  for (const Json& row : this->Content["rows"])
-  {
-    if (row["scene"] == scene)
-    {
-      rows.push_back(row);
-    }
-  }
-  std::sort(
-    rows.begin(), rows.end(), [](const Json& a, const Json& b) { return Order(a) < Order(b); });
-  return rows;
+  return SortedOf(this->Content["rows"], scene);
+}
+
+std::vector<Json> BenchResults::AblationsOf(const std::string& scene) const
+{
+  return SortedOf(this->Content["ablations"], scene);
 }
 
 std::string BenchResults::Csv() const

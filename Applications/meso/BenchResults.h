@@ -14,8 +14,9 @@
  * `surfaces`, the figures of the mesh's truth against the smooth one. A row: `scene`, `technique`,
  * `quality`, `key`, `status` ("ok" or "refused") and `reason`; where ok also `judged_by` ("mesh" or
  * "smooth"), `errors` (figures of JsonOfError() by "mesh", by "smooth", and by "solver", the technique's own model
- * solved exactly, where there are such) and figures of cost. A key is a sum
- * over all that the numbers depend on but the program itself, so that what is there need not be
+ * solved exactly, where there are such) and figures of cost. `ablations` are rows as well, each with
+ * the effect that was off in `without` ("none": all on). `scaling` holds what BenchScaling found. A key
+ * is a sum over all that the numbers depend on but the program itself, so that what is there need not be
  * done again.
  */
 class BenchResults
@@ -32,13 +33,18 @@ public:
   /// The scene or row of this key, null where there is none.
   const Json* FindScene(const std::string& name, const std::string& key) const;
   const Json* FindRow(const std::string& key) const;
-  /// Takes the place of a scene of the same name, or a row of the same scene, technique and quality.
+  /// Takes the place of a scene of the same name, or a row of the same scene, technique, quality and
+  /// ablation.
   void SetScene(Json scene);
   void SetRow(Json row);
 
   const Json& All() const { return this->Content; }
   /// The rows of a scene, in the order of techniques and qualities that the program knows.
   std::vector<Json> RowsOf(const std::string& scene) const;
+  /// The rows of its ablations, in the order of techniques, qualities and effects.
+  std::vector<Json> AblationsOf(const std::string& scene) const;
+
+  void SetScaling(Json scaling) { this->Content["scaling"] = std::move(scaling); }
 
   /// Writes results.json and results.csv.
   void Save() const;

@@ -4,6 +4,7 @@
 #include "BenchProgress.h"
 #include "CommandLine.h"
 #include "FiguresJson.h"
+#include "MesoBootstrap.h"
 #include "MesoFrameCost.h"
 #include "MesoSceneAttributes.h"
 #include "MesoSceneBuilder.h"
@@ -55,6 +56,23 @@ Json ToJson(const MesoMilliseconds& milliseconds)
 {
   return { { "median", milliseconds.Median }, { "min", milliseconds.Minimum },
     { "max", milliseconds.Maximum } };
+}
+
+Json ToJson(const std::optional<MesoInterval>& interval)
+{
+  return interval ? Json{ interval->Low, interval->High } : Json();
+}
+
+/// All that a technique shows but one effect.
+void SwitchOff(std::vector<MesoSceneNode>& nodes, MesoEffect effect)
+{
+  for (MesoSceneNode& node : nodes)
+  {
+    MesoMesostructureOptions& options = node.Mesostructure;
+    options.Effects.Named = MesoEffectsOn(options).Without({ effect });
+    options.Effects.Auto = false;
+    SwitchOff(node.Children, effect);
+  }
 }
 
 void SetVisible(const MesoSceneBuilder& builder, bool visible)
@@ -132,7 +150,7 @@ BenchScene::BenchScene(
 double BenchScene::Steps() const
 {
   return StepsOfTruth * (HasSmoothSurface(this->Scene) ? 2. : 1.) +
-    (1. + StepsOfTiming) * double(this->Settings.Arms.size());
+    (1. + StepsOfTiming) * double(this->Settings.Arms.size() + this->AblationArms().size());
 }
 
 std::string BenchScene::KeyOfScene() const
@@ -195,10 +213,15 @@ BenchScene::Truths BenchScene::MakeTruths(BenchResults& results, BenchProgress& 
 
 Json BenchScene::StartOfRow(const BenchArm& arm) const
 {
-  return { { "scene", this->SceneName }, { "technique", arm.TechniqueName() },
+  Json row = { { "scene", this->SceneName }, { "technique", arm.TechniqueName() },
     { "quality", arm.QualityName() }, { "key", this->KeyOfArm(arm) }, { "status", "ok" },
     { "reason", nullptr }, { "size", this->Settings.Size }, { "device", this->Device },
     { "version", MESO_VERSION } };
+  if (arm.IsAblation)
+  {
+    row["without"] = arm.WithoutName();
+  }
+  return row;
 }
 
 void BenchScene::Judge(Arm& arm, const MesoRendering& rendering, Truths& truths) const
@@ -225,6 +248,10 @@ void BenchScene::Judge(Arm& arm, const MesoRendering& rendering, Truths& truths)
   }
 
   const MesoTechnique technique = arm.Choice.Technique;
+  if (arm.Choice.IsAblation)
+  {
+    return; // its model would be another one
+  }
   if (!truths.Models.count(technique))
   {
     truths.Models[technique] = SolveModel(this->Scene, technique, this->Settings.Size);
@@ -248,7 +275,12 @@ std::unique_ptr<BenchScene::Arm> BenchScene::Render(const BenchArm& choice,
   {
     const auto start = std::chrono::steady_clock::now();
     vtkNew<vtkRenderer> apart; // which takes what a job that fails leaves
-    arm->Builder.Build(WithTechnique(this->Scene, choice.Technique, choice.Quality), apart);
+    MesoScene scene = WithTechnique(this->Scene, choice.Technique, choice.Quality);
+    if (choice.Without)
+    {
+      SwitchOff(scene.Nodes, *choice.Without);
+    }
+    arm->Builder.Build(scene, apart);
     arm->PrepareSeconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     for (const auto& object : arm->Builder.GetObjects())
@@ -295,8 +327,10 @@ void BenchScene::Time(const std::vector<std::unique_ptr<Arm>>& arms, const MesoS
     Json& row = arms[i]->Row;
     row["gpu_ms"] = ToJson(cost.Gpu);
     row["frame_ms"] = ToJson(cost.Frame);
+    row["gpu_ms"]["interval"] = ToJson(MesoMedianInterval(cost.GpuRounds));
     row["ratio_to_floor"] =
       floorMilliseconds > 0. ? Json(cost.Gpu.Median / floorMilliseconds) : Json();
+    row["ratio_interval"] = ToJson(MesoRatioInterval(cost.GpuRounds, costs.front().GpuRounds));
     row["clock"] = cost.Clock;
     row["runs"] = cost.Runs;
     row["gpu_bytes"] = size.GpuBytes;
@@ -331,8 +365,49 @@ bool BenchScene::Run(BenchResults& results, BenchProgress& progress) const
   floor.Build(WithTechnique(this->Scene, MesoTechnique::Plain, std::nullopt), renderer);
   SetVisible(floor, false);
 
-  std::vector<std::unique_ptr<Arm>> arms; // to be timed
+  this->RunArms(this->Settings.Arms, floor, window, renderer, truths, results, progress);
+  this->RunArms(this->AblationArms(), floor, window, renderer, truths, results, progress);
+  results.Save();
+  return true;
+}
+
+std::vector<BenchArm> BenchScene::AblationArms() const
+{
+  if (!this->Settings.Ablation)
+  {
+    return {};
+  }
+  // One quality of each technique tells the effects' shares: medium, else the last there is.
+  std::map<MesoTechnique, BenchArm> chosen;
   for (const BenchArm& choice : this->Settings.Arms)
+  {
+    const auto before = chosen.find(choice.Technique);
+    if (choice.Quality && (before == chosen.end() || before->second.Quality != MesoQuality::Medium))
+    {
+      chosen[choice.Technique] = choice;
+    }
+  }
+  std::vector<BenchArm> arms;
+  for (const auto& choice : chosen)
+  {
+    BenchArm arm = choice.second;
+    arm.IsAblation = true;
+    arms.push_back(arm);
+    for (const std::string& name : MesoEffectsOfTechnique(arm.Technique).Names())
+    {
+      arm.Without = MesoEffectFromName(name);
+      arms.push_back(arm);
+    }
+  }
+  return arms;
+}
+
+void BenchScene::RunArms(const std::vector<BenchArm>& choices, const MesoSceneBuilder& floor,
+  vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, Truths& truths, BenchResults& results,
+  BenchProgress& progress) const
+{
+  std::vector<std::unique_ptr<Arm>> arms; // to be timed
+  for (const BenchArm& choice : choices)
   {
     if (results.FindRow(this->KeyOfArm(choice)))
     {
@@ -353,11 +428,14 @@ bool BenchScene::Run(BenchResults& results, BenchProgress& progress) const
   {
     progress.Begin(this->SceneName + ": timing", StepsOfTiming * double(arms.size()));
     this->Time(arms, floor, window);
+    SetVisible(floor, false); // timing leaves all visible
     for (const auto& arm : arms)
     {
       results.SetRow(arm->Row);
+      for (const auto& object : arm->Builder.GetObjects())
+      {
+        renderer->RemoveActor(object.Actor);
+      }
     }
   }
-  results.Save();
-  return true;
 }

@@ -61,6 +61,12 @@ private:
     vtkMesoEGLRenderWindow* window) const;
   void Judge(Arm& arm, const MesoRendering& rendering, Truths& truths) const;
   BenchResults::Json StartOfRow(const BenchArm& arm) const;
+  /// Each technique with all its effects and with each of them off.
+  std::vector<BenchArm> AblationArms() const;
+  /// Renders and times what the results do not hold yet.
+  void RunArms(const std::vector<BenchArm>& arms, const MesoSceneBuilder& floor,
+    vtkMesoEGLRenderWindow* window, vtkRenderer* renderer, Truths& truths, BenchResults& results,
+    BenchProgress& progress) const;
 
   const BenchSettings& Settings;
   std::string File;

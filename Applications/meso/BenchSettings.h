@@ -13,14 +13,20 @@ struct BenchArm
 {
   MesoTechnique Technique = MesoTechnique::Plain;
   std::optional<MesoQuality> Quality; ///< none where the technique has one setting
+  /// Of a part of an ablation: the effect that is off. `IsAblation` without one: all are on.
+  std::optional<MesoEffect> Without;
+  bool IsAblation = false;
 
   std::string TechniqueName() const { return MesoName(this->Technique); }
   std::string QualityName() const { return this->Quality ? MesoName(*this->Quality) : ""; }
   /// "relief-high", for files and messages.
   std::string Name() const
   {
-    return this->TechniqueName() + (this->Quality ? "-" + this->QualityName() : "");
+    return this->TechniqueName() + (this->Quality ? "-" + this->QualityName() : "") +
+      (this->IsAblation ? "-without-" + this->WithoutName() : "");
   }
+  /// The effect that is off, or "none".
+  std::string WithoutName() const { return this->Without ? MesoName(*this->Without) : "none"; }
 };
 
 /// What `meso bench` is asked for.
@@ -30,9 +36,12 @@ struct BenchSettings
   std::string Folder;
   std::vector<BenchArm> Arms;
   std::array<int, 2> Size = { 512, 384 };
-  int WarmUp = 5;     ///< rounds of frames before those that count
-  int Runs = 20;      ///< rounds that count
-  bool Fresh = false; ///< measure again what the folder holds already
+  int WarmUp = 5;        ///< rounds of frames before those that count
+  int Runs = 20;         ///< rounds that count
+  bool Quick = false;    ///< fewer settings of what is scaled
+  bool Fresh = false;    ///< measure again what the folder holds already
+  bool Ablation = false; ///< measure each effect's share as well
+  bool Scaling = false;  ///< and how time grows with pixels, triangles, texels and lights
 };
 
 #endif

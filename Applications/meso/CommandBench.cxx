@@ -2,6 +2,7 @@
 
 #include "BenchProgress.h"
 #include "BenchReport.h"
+#include "BenchScaling.h"
 #include "BenchScene.h"
 #include "CommandLine.h"
 #include "MesoAtomicFile.h"
@@ -85,7 +86,12 @@ CommandBench::CommandBench(CLI::App& app)
   command->add_option_function<std::string>(
     "--size", [this](const std::string& text) { this->Size = ParseSize("--size", text); },
     "Width and height in pixels (default: 512x384, quick: 192x144)");
-  command->add_flag("--quick", this->Quick, "Small pictures and few runs, for a first look");
+  command->add_flag(
+    "--quick", this->Settings.Quick, "Small pictures and few runs, for a first look");
+  command->add_flag("--ablation", this->Settings.Ablation,
+    "Measure also what each effect costs and what it is worth");
+  command->add_flag("--scaling", this->Settings.Scaling,
+    "Measure also how time grows with pixels, triangles, texels of the map and lights");
   command->add_flag("--fresh", this->Settings.Fresh,
     "Do all again, as after a change of the program, which the folder cannot see");
   command->footer("Example: meso bench Data/Bench/*.json -o bench --quick");
@@ -104,7 +110,7 @@ std::vector<BenchArm> CommandBench::Arms() const
     }
     if (value == MesoTechnique::Plain)
     {
-      arms.push_back({ value, std::nullopt }); // which has one setting
+      arms.push_back({ value, std::nullopt, std::nullopt, false }); // which has one setting
       continue;
     }
     for (const std::string& quality : MesoQualityNames())
@@ -113,7 +119,7 @@ std::vector<BenchArm> CommandBench::Arms() const
       const auto& levels = this->Qualities;
       if (levels.empty() || std::find(levels.begin(), levels.end(), level) != levels.end())
       {
-        arms.push_back({ value, level });
+        arms.push_back({ value, level, std::nullopt, false });
       }
     }
   }
@@ -122,7 +128,7 @@ std::vector<BenchArm> CommandBench::Arms() const
 
 int CommandBench::Run()
 {
-  if (this->Quick)
+  if (this->Settings.Quick)
   {
     this->Settings.Size = { 192, 144 };
     this->Settings.WarmUp = 1;
@@ -151,12 +157,25 @@ int CommandBench::Run()
   std::cerr << "meso: rendering on " << device << "\n";
 
   BenchProgress progress;
-  progress.SetTotal(steps);
+  progress.SetTotal(steps + (this->Settings.Scaling ? StepsOfScaling(this->Settings) : 0.));
   bool failed = false;
   for (const BenchScene& scene : scenes)
   {
     failed = !scene.Run(results, progress) || failed;
     WriteReport(results, this->Settings.Folder);
+  }
+  if (this->Settings.Scaling)
+  {
+    const std::string key = BenchKey(device + "\n" + std::to_string(this->Settings.WarmUp) + "\n" +
+      std::to_string(this->Settings.Runs) + "\n" + MESO_VERSION);
+    const auto& before = results.All()["scaling"];
+    if (before.is_null() || before["key"] != key)
+    {
+      results.SetScaling(
+        { { "key", key }, { "series", MeasureScaling(this->Settings, progress) } });
+      results.Save();
+      WriteReport(results, this->Settings.Folder);
+    }
   }
   progress.End();
   for (const auto& scene : results.All()["scenes"])

@@ -30,7 +30,6 @@ private:
   std::vector<MesoTechnique> Techniques;
   std::vector<MesoQuality> Qualities;
   std::optional<std::array<int, 2>> Size;
-  bool Quick = false;
 };
 
 #endif

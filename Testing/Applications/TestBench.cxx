@@ -3,6 +3,7 @@
 #include "SceneFolder.h"
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -277,4 +278,57 @@ TEST(MesoBench, RefusesWithOneLine)
   std::ofstream(scene.PathOf("out/results.json")) << "{\"other\": 1}";
   expect(Bench(scene), 1, "results.json");
   EXPECT_EQ(scene.Bytes("out/results.json"), "{\"other\": 1}");
+}
+
+TEST(MesoBench, AblationShowsWhatEachEffectIsWorth)
+{
+  // Deep, on a mesh that is close to its smooth shape, lit from the side: all effects matter.
+  const SceneFolder scene(R"("lights": [{"type": "directional", "direction": [1, -0.6, -0.3]}],
+    "nodes": [{"mesh": {"shape": "sphere", "rings": 48, "sides": 96},
+      "mesostructure": {"technique": "relief", "scale": 0.12, "tiles": [8, 4],
+                        "height_map": {"pattern": "smooth", "size": [64, 64]}}}])");
+  const MesoRun run = RunMeso(
+    { "bench", scene.PathOf("scene.json"), "-o", scene.PathOf("out"), "--quick", "--size", "96x72",
+      "--techniques", "relief-quadric,tessellated", "--qualities", "draft", "--ablation" });
+  ASSERT_EQ(run.ExitCode, 0) << run.Messages;
+  const Json results = Results(scene);
+  std::map<std::string, Json> without;
+  for (const Json& row : results["ablations"])
+  {
+    without[row["technique"].get<std::string>() + " " + row["without"].get<std::string>()] = row;
+  }
+  EXPECT_EQ(without.size(), 7u + 5u); // none, and each effect
+  const auto error = [&](const std::string& effect, const char* figure) -> double
+  {
+    const Json& row = without["relief-quadric " + effect];
+    return row["errors"][row["judged_by"].get<std::string>()][figure];
+  };
+  // Each effect off makes its own figure worse.
+  EXPECT_GT(error("shading", "normal_mean"), 1.5 * error("none", "normal_mean"));
+  EXPECT_GT(error("occlusion", "texcoord_p95"), 1.5 * error("none", "texcoord_p95"));
+  EXPECT_GT(error("self_shadow", "shadow_cast"), error("none", "shadow_cast"));
+  EXPECT_LT(error("silhouette", "coverage_iou"), error("none", "coverage_iou"));
+  EXPECT_LT(error("curvature", "coverage_iou"), error("none", "coverage_iou"));
+  EXPECT_EQ(without["tessellated depth"]["status"], "refused");
+  EXPECT_NE(scene.Bytes("out/report.html").find("What each effect is worth"), std::string::npos);
+}
+
+TEST(MesoBench, ScalingMeasuresEachSeries)
+{
+  const SceneFolder scene(BrickSphere);
+  const std::vector<std::string> arguments = { "bench", scene.PathOf("scene.json"), "-o",
+    scene.PathOf("out"), "--quick", "--size", "64x48", "--techniques", "relief", "--qualities",
+    "draft", "--scaling" };
+  ASSERT_EQ(RunMeso(arguments).ExitCode, 0);
+  const Json series = Results(scene)["scaling"]["series"];
+  EXPECT_EQ(series.size(), 4u * 2u); // relief and the floor
+  for (const Json& one : series)
+  {
+    EXPECT_EQ(one["points"].size(), 3u);
+    EXPECT_LT(one["points"][0][0], one["points"][2][0]);
+    EXPECT_TRUE(one["ns_per_unit"].is_number());
+  }
+  // Results of the same settings are kept.
+  ASSERT_EQ(RunMeso(arguments).ExitCode, 0);
+  EXPECT_EQ(Results(scene)["scaling"]["series"], series);
 }

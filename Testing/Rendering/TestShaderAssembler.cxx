@@ -78,6 +78,6 @@ TEST(ShaderLibrary, HoldsTheTextsOfTheFolder)
   {
     EXPECT_FALSE(MesoShaderText(name).empty()) << name;
   }
-  EXPECT_NE(MesoShaderText("Techniques/Relief.glsl").find("traceSurface"), std::string::npos);
+  EXPECT_NE(MesoShaderText("Techniques/Plain.glsl").find("traceSurface"), std::string::npos);
   EXPECT_TRUE(MesoShaderText("Techniques/NoSuch.glsl").empty());
 }

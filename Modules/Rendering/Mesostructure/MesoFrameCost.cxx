@@ -113,6 +113,7 @@ std::vector<MesoFrameCost> MesoMeasureFrames(vtkOpenGLRenderWindow* window,
     show(group, true);
     MesoFrameCost& cost = costs[group];
     cost.Gpu = MesoSummarise(gpu[group]);
+    cost.GpuRounds = gpu[group];
     cost.Frame = MesoSummarise(frame[group]);
     cost.Clock = software ? "wall clock, frame with minus frame without, each closed by glFinish"
                           : "GL_TIME_ELAPSED, frame with minus frame without";

@@ -20,9 +20,10 @@ struct MesoMilliseconds
 /// What a frame costs; see MesoMeasureFrames().
 struct MesoFrameCost
 {
-  MesoMilliseconds Gpu;   ///< frame with the group minus frame without, by Clock
-  MesoMilliseconds Frame; ///< wall clock around render and finish, with the group
-  std::string Clock;      ///< which clock Gpu was read from
+  MesoMilliseconds Gpu;          ///< frame with the group minus frame without, by Clock
+  std::vector<double> GpuRounds; ///< what Gpu is the median of, in the order of the rounds
+  MesoMilliseconds Frame;        ///< wall clock around render and finish, with the group
+  std::string Clock;             ///< which clock Gpu was read from
   int Runs = 0;
 };
 
