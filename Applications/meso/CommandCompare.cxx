@@ -148,13 +148,7 @@ int CommandCompare::Run()
   {
     throw CLI::ValidationError("--difference", "needs two pictures, not EXR files");
   }
-  for (const std::string& name : { this->DifferenceFile, this->ClassesFile })
-  {
-    if (!name.empty())
-    {
-      const MesoAtomicFile possible(name); // which throws where it is not
-    }
-  }
+  CheckFileNames({ this->DifferenceFile, this->ClassesFile }, { this->Truth, this->Test });
   const MesoImageError error = this->Compare();
   if (!this->ClassesFile.empty() && !error.Geometry)
   {

@@ -117,15 +117,25 @@ std::string AOVFileName(const std::string& picture)
   return picture.substr(0, picture.size() - 4) + ".aov.exr";
 }
 
-void CheckFileNames(const std::vector<std::string>& names)
+void CheckFileNames(const std::vector<std::string>& names, const std::vector<std::string>& inputs)
 {
+  std::set<std::filesystem::path> sources;
+  for (const std::string& input : inputs)
+  {
+    sources.insert(std::filesystem::weakly_canonical(input));
+  }
   std::set<std::filesystem::path> targets;
   for (const std::string& name : names)
   {
     if (!name.empty())
     {
       const MesoAtomicFile possible(name); // which throws where it is not
-      if (!targets.insert(std::filesystem::weakly_canonical(name)).second)
+      const std::filesystem::path target = std::filesystem::weakly_canonical(name);
+      if (sources.count(target) > 0)
+      {
+        throw MesoInputError(name + ": is read, so a result cannot go to it");
+      }
+      if (!targets.insert(target).second)
       {
         throw MesoInputError(name + ": two results cannot go to one file");
       }

@@ -42,9 +42,9 @@ void AddStatsOption(CLI::App& command, std::string& file, const std::string& hel
 /// `x.png` gives `x.aov.exr`.
 std::string AOVFileName(const std::string& picture);
 
-/// Throws where a result could not be written, or two would go to one file, before time is spent on
-/// them. Empty names are passed over.
-void CheckFileNames(const std::vector<std::string>& names);
+/// Throws where a result could not be written, two would go to one file, or one would go over a file
+/// that the command reads (`inputs`), before time is spent on them. Empty names are passed over.
+void CheckFileNames(const std::vector<std::string>& names, const std::vector<std::string>& inputs);
 
 /// Of these channels, those that AOV groups ("depth", "texcoord", "all", ...) stand for.
 std::vector<std::string> ChannelsOfGroups(

@@ -99,7 +99,8 @@ int CommandReference::Run()
 {
   const MesoScene scene = MesoReadScene(this->SceneFile);
   CheckFileNames({ this->Output, this->Channels.empty() ? std::string() : AOVFileName(this->Output),
-    this->StatsFile });
+                   this->StatsFile },
+    { this->SceneFile });
   const MesoReference reference(scene, this->Surface);
   for (const std::string& warning : reference.GetWarnings())
   {

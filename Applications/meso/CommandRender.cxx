@@ -110,7 +110,8 @@ int CommandRender::Run()
   MesoScene scene = MesoReadScene(this->SceneFile);
   this->Override(scene.Nodes);
   CheckFileNames({ this->Output, this->Channels.empty() ? std::string() : AOVFileName(this->Output),
-    this->StatsFile });
+                   this->StatsFile },
+    { this->SceneFile });
 
   vtkNew<vtkMesoEGLRenderWindow> window;
   window->SetMultiSamples(0);

@@ -235,6 +235,12 @@ TEST(MesoCompare, RefusesWithOneLine)
     { "no/d.png", "no folder" }, files);
   ExpectRefusal(
     scene, Compare(scene, "x.png", "x.png", { "--difference", "d.txt" }), 2, { ".png" }, files);
+  ExpectRefusal(scene, Compare(scene, "x.png", "x.png", { "--difference", out, "--classes", out }),
+    1, { "out.png", "two results" }, files);
+  const std::string before = scene.Bytes("x.png");
+  ExpectRefusal(scene, Compare(scene, "x.png", "few.png", { "--classes", scene.PathOf("x.png") }),
+    1, { "x.png", "is read" }, files);
+  EXPECT_EQ(scene.Bytes("x.png"), before);
   std::filesystem::remove(scene.PathOf("few.aov.exr"));
   const auto fewer = scene.Names();
   ExpectRefusal(scene, Compare(scene, "few.png", "few.png", { "--classes", out }), 1,

@@ -4,6 +4,7 @@
 #include "TemporaryFolder.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <gtest/gtest.h>
 
 namespace
@@ -62,6 +63,13 @@ private:
 TEST_F(FailedJob, NoScene)
 {
   this->ExpectOfFile("none.json", { "none.json", "no such file" });
+}
+
+TEST_F(FailedJob, AResultThatWouldGoOverTheScene)
+{
+  this->Stats = this->Folder.PathOf("scene.json");
+  this->Expect(Plane, { "scene.json", "is read" });
+  EXPECT_EQ(std::filesystem::file_size(this->Stats), Plane.size());
 }
 
 TEST_F(FailedJob, SceneThatIsNoJson)

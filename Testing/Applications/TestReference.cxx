@@ -126,6 +126,7 @@ TEST(MesoReferenceCommand, RefusesInOneLine)
   ExpectRefused(
     { "reference", scene, "-o", picture, "--aov", "uv" }, 2, { "--aov", "'uv'", "base" });
   ExpectRefused({ "reference", scene, "-o", picture, "--stats", picture }, 1, { "one file" });
+  ExpectRefused({ "reference", scene, "-o", picture, "--stats", scene }, 1, { "is read" });
   EXPECT_EQ(folder.Names(), (std::vector<std::string>{ "scene.json" }));
 }
 

@@ -16,12 +16,13 @@ constexpr int Height = 16;
 double MeanRed(const MesoReferenceResult& result)
 {
   const auto* bytes = static_cast<const unsigned char*>(result.Picture->GetScalarPointer());
+  const vtkIdType pixels = result.Picture->GetNumberOfPoints();
   double sum = 0.;
-  for (int i = 0; i < Width * Height; ++i)
+  for (vtkIdType i = 0; i < pixels; ++i)
   {
     sum += bytes[3 * i] / 255.;
   }
-  return sum / (Width * Height);
+  return sum / static_cast<double>(pixels);
 }
 
 MesoReferenceResult Trace(const std::string& scene, int samples, int bounces)
@@ -69,6 +70,15 @@ TEST(Interreflection, InACornerHalfOfTheLightComesFromTheOtherWall)
   // Nothing comes over a black floor.
   const std::string black = Corner(R"(, "diffuse": 0)");
   EXPECT_NEAR(MeanRed(Trace(black, 16, 3)), MeanRed(Trace(black, 16, 0)), 1e-6);
+}
+
+TEST(Interreflection, EachDirectionOfAPathIsDrawnAnewWithOneSampleToo)
+{
+  // Over two surfaces come 1/16 of the light; not so where the second direction repeats the first.
+  const MesoReference corner(SceneOf(Corner()));
+  const auto mean = [&](int bounces)
+  { return MeanRed(corner.Render(16 * Width, 16 * Height, 1, {}, bounces)); };
+  EXPECT_NEAR(mean(2) - mean(1), 0.5 / 16., 0.003);
 }
 
 TEST(Interreflection, AFlatPlaneSeesNothingOfItself)

@@ -7,6 +7,7 @@
 #include "MesoReference.h"
 #include "MesoTechniqueModel.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace
@@ -50,6 +51,19 @@ TEST(TechniqueModel, OfReliefOnAPlaneIsTheTruth)
   EXPECT_LT(error.Texcoord.Maximum, 1e-2);
   EXPECT_LT(error.Normal.Mean, 1e-3);
   EXPECT_LT(error.ShadowCast, 1e-3);
+}
+
+TEST(TechniqueModel, HasNoGapsBetweenTrianglesThatAreSmallBesideTheScene)
+{
+  // Of a radius of 500 a float knows 3e-5, a hundredth of these triangles' sides.
+  const MesoScene scene = MesoParseScene(R"({"meso": 1,
+    "camera": {"position": [0, 0, 2], "parallel_scale": 0.4}, "nodes": [
+      {"transform": {"rotate": [7, 0, 0, 1]},
+       "mesh": {"shape": "plane", "size": [2, 2], "segments": [600, 600]}},
+      {"transform": {"translate": [1000, 0, 0]}, "mesh": {"shape": "plane"}}]})",
+    "far.json");
+  const MesoAOVs model = ModelOf(scene);
+  EXPECT_EQ(std::count(model.Coverage.begin(), model.Coverage.end(), 1.f), Width * Height);
 }
 
 class SolverError : public testing::TestWithParam<const char*>

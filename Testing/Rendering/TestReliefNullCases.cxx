@@ -194,4 +194,50 @@ TEST_P(ReliefNullCases, WrongOptionsAreRefused)
   this->Plain->SetOptions(options);
 }
 
+TEST_P(ReliefNullCases, TechniquesTakeTurnsOnOneMapper)
+{
+  this->Relief->SetInputData(
+    MesoTestScene::Prepared(MesoTestScene::Shape("torus"), MesoTechnique::ReliefQuadric));
+  this->Scene.Actor->SetMapper(this->Relief);
+  const auto grab = [this](MesoTechnique technique)
+  {
+    MesoMesostructureOptions options = this->Relief->GetOptions();
+    options.Technique = technique;
+    this->Relief->SetOptions(options);
+    return MesoGrabWindow(this->Scene.Window);
+  };
+  const MesoTechnique other = this->GetParam() == MesoTechnique::Relief
+    ? MesoTechnique::ReliefQuadric
+    : MesoTechnique::Relief;
+  const auto first = grab(this->GetParam());
+  EXPECT_FALSE(MesoCompareImages(grab(other), first).Within);
+  EXPECT_TRUE(MesoCompareImages(grab(this->GetParam()), first, MesoImageLimits::Exact()).Within);
+}
+
 MESO_FOR_RELIEF_TECHNIQUES(ReliefNullCases);
+
+// Options that were made for another mapper, or with their defaults, name another technique.
+TEST(ReliefMapper, DrawsReliefWhateverOtherTechniqueTheOptionsName)
+{
+  MesoTestScene scene;
+  vtkNew<vtkMesoReliefMapper> mapper;
+  MesoUse(mapper, MesoTechnique::Relief, MesoTestScene::Shape("torus"));
+  mapper->SetHeightMap(MesoTestScene::Pattern("brick"));
+  scene.Actor->SetMapper(mapper);
+  scene.AddHeadlight();
+  scene.LookFrom(1., 3., 5.);
+  MesoMesostructureOptions options;
+  options.Scale = 0.1;
+  options.Technique = MesoTechnique::Relief;
+  mapper->SetOptions(options);
+  const auto relief = MesoGrabWindow(scene.Window);
+  for (const MesoTechnique technique : { MesoTechnique::Plain, MesoTechnique::Tessellated })
+  {
+    options.Technique = technique;
+    mapper->SetOptions(options);
+    const auto drawn = MesoGrabWindow(scene.Window);
+    EXPECT_TRUE(MesoCompareImages(drawn, relief, MesoImageLimits::Exact()).Within)
+      << MesoName(technique);
+    EXPECT_EQ(mapper->GetEffectsDrawn(), MesoEffectsOfTechnique(MesoTechnique::Relief));
+  }
+}

@@ -49,5 +49,7 @@ MesoTechnique vtkMesoReliefMapper::TechniqueOf(const MesoMesostructureOptions& o
 
 void vtkMesoReliefMapper::OptionsChanged()
 {
-  this->Relief->SetOptions(this->GetOptions());
+  MesoMesostructureOptions options = this->GetOptions();
+  options.Technique = this->TechniqueOf(options); // whose effects "auto" means
+  this->Relief->SetOptions(options);
 }

@@ -117,20 +117,23 @@ void MesoModelSurface::Read(vtkPolyData* mesh, const glm::dmat4& matrix)
   }
 }
 
-std::optional<MesoModelFragment> MesoModelSurface::FragmentAt(
-  std::size_t triangle, bool front, const glm::dvec3& origin, const glm::dvec3& direction) const
+std::optional<MesoModelFragment> MesoModelSurface::FragmentAt(std::size_t triangle, bool front,
+  const glm::dvec3& origin, const glm::dvec3& direction, double rounding) const
 {
   const auto& corners = this->Triangles[triangle];
   const glm::dvec3& p0 = this->Points[corners[0]];
+  const glm::dvec3 a = this->Points[corners[1]] - p0;
+  const glm::dvec3 b = this->Points[corners[2]] - p0;
   glm::dvec3 found; // weights of the second and third corner, and t
-  if (!this->Frame.solveFrame(this->Points[corners[1]] - p0, this->Points[corners[2]] - p0,
-        -direction, origin - p0, found))
+  if (!this->Frame.solveFrame(a, b, -direction, origin - p0, found))
   {
     return {};
   }
-  // The ray is known to meet the triangle, as exact as float is.
-  constexpr double Beside = 1e-5;
-  if (found.x < -Beside || found.y < -Beside || found.x + found.y > 1. + Beside)
+  // The length as a weight: part of the triangle's least height, as seen along the ray.
+  const double longest = std::max({ glm::length(a), glm::length(b), glm::length(b - a) });
+  const double height = std::abs(glm::dot(glm::cross(a, b), direction)) / longest;
+  const double beside = std::min(rounding / height, 0.5);
+  if (found.x < -beside || found.y < -beside || found.x + found.y > 1. + beside)
   {
     return {};
   }

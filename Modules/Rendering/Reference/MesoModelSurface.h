@@ -49,9 +49,10 @@ public:
   const std::vector<std::array<std::uint32_t, 3>>& Corners() const { return this->Triangles; }
   bool CullsBackFaces() const { return this->Culls; }
 
-  /// The fragment of a triangle on a ray; empty where the ray passes beside it.
-  std::optional<MesoModelFragment> FragmentAt(
-    std::size_t triangle, bool front, const glm::dvec3& origin, const glm::dvec3& direction) const;
+  /// The fragment of a triangle on a ray; empty where the ray passes beside it by more than
+  /// `rounding`, a length.
+  std::optional<MesoModelFragment> FragmentAt(std::size_t triangle, bool front,
+    const glm::dvec3& origin, const glm::dvec3& direction, double rounding) const;
 
   /// What the technique draws at the fragment; empty where it discards.
   std::optional<MesoModelHit> Solve(const MesoModelFragment& fragment) const;

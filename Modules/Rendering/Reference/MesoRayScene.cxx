@@ -318,6 +318,11 @@ void MesoRayScene::Trace(MesoRayQuery& query) const
   rtcIntersect1(inside.Scene, &context.Embree, &ray);
 }
 
+double MesoRayScene::Rounding() const
+{
+  return Padding * this->Inside->Radius;
+}
+
 std::size_t MesoRayScene::MemoryBytes() const
 {
   std::size_t bytes = static_cast<std::size_t>(std::max<std::int64_t>(0, this->Inside->Bytes));

@@ -65,6 +65,9 @@ public:
   /// Let a ray meet what lies in its way, until nothing nearer can. For any number of threads.
   void Trace(MesoRayQuery& query) const;
 
+  /// Length by which a ray may pass beside a triangle that it is said to meet: float's rounding.
+  double Rounding() const;
+
   /// Bytes that Embree and the primitives' boxes hold.
   std::size_t MemoryBytes() const;
 

@@ -318,7 +318,7 @@ MesoReferenceResult MesoReference::Render(int width, int height, int samples,
     // Each pixel's directions are the same even points, moved by an amount of its own.
     const std::uint64_t seed = static_cast<std::uint64_t>(pixel) * 0x100000001b3u;
     MesoRandom random(seed);
-    const glm::dvec2 shift(random.Next(), random.Next());
+    const glm::dvec2 shift{ random.Next(), random.Next() }; // in this order
     const auto colorOf = [&](const Implementation::Sample& sample, int number)
     {
       if (!sample.Hit || bounces == 0)
@@ -333,7 +333,7 @@ MesoReferenceResult MesoReference::Render(int width, int height, int samples,
     const Implementation::Sample centre = look(0., 0.);
     const std::size_t fromTop = std::size_t(height - 1 - row) * width + column;
     inside.Fill(centre, blocked, &aovs.Data[channels * fromTop]);
-    glm::dvec3 color = samples == 1 ? colorOf(centre, 0) : glm::dvec3(0.);
+    glm::dvec3 color = samples == 1 ? colorOf(centre, 1) : glm::dvec3(0.);
     for (int sample = 1; sample <= samples && samples > 1; ++sample)
     {
       color +=

@@ -112,7 +112,8 @@ void MesoTechniqueModel::Implementation::Look(
     {
       continue;
     }
-    const auto met = surface.FragmentAt(face.Triangle, face.Front, query.Origin, query.Direction);
+    const auto met = surface.FragmentAt(
+      face.Triangle, face.Front, query.Origin, query.Direction, this->Faces.Rounding());
     const auto drawn = met ? surface.Solve(*met) : std::nullopt;
     if (drawn && drawn->T < nearest)
     {
