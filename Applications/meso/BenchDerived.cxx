@@ -54,7 +54,7 @@ std::optional<double> BenchOrder(const std::vector<Json>& rows, const std::strin
   for (const Json& row : rows)
   {
     if (row["technique"] != technique || row["status"] != "ok" ||
-      !row["errors"].contains(surface) || row["quality"] == "")
+      !row["errors"].contains(surface) || row["quality"].get<std::string>().empty())
     {
       continue;
     }

@@ -88,7 +88,8 @@ void WriteOrders(std::ostream& page, const std::vector<Json>& rows)
   for (const Json& row : rows)
   {
     const std::string technique = row["technique"];
-    if (row["status"] != "ok" || row["quality"] == "" || !seen.insert(technique).second)
+    if (row["status"] != "ok" || row["quality"].get<std::string>().empty() ||
+      !seen.insert(technique).second)
     {
       continue;
     }

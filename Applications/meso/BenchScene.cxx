@@ -75,6 +75,19 @@ void SwitchOff(std::vector<MesoSceneNode>& nodes, MesoEffect effect)
   }
 }
 
+/// A truth of an earlier run; empty where its files are not there or are broken.
+std::optional<MesoRendering> ReadKeptTruth(const std::string& stem)
+{
+  try
+  {
+    return ReadTruth(stem);
+  }
+  catch (const MesoInputError&)
+  {
+    return std::nullopt;
+  }
+}
+
 void SetVisible(const MesoSceneBuilder& builder, bool visible)
 {
   for (const auto& object : builder.GetObjects())
@@ -185,8 +198,8 @@ BenchScene::Truths BenchScene::MakeTruths(BenchResults& results, BenchProgress& 
   for (const BenchSurface surface : surfaces)
   {
     const std::string stem = this->PathOf(std::string("truth-") + MesoName(surface));
-    if (done && std::filesystem::exists(stem + ".png") &&
-      std::filesystem::exists(stem + ".aov.exr"))
+    std::optional<MesoRendering> kept = done ? ReadKeptTruth(stem) : std::nullopt;
+    if (kept)
     {
       progress.Skip(StepsOfTruth);
     }
@@ -195,7 +208,7 @@ BenchScene::Truths BenchScene::MakeTruths(BenchResults& results, BenchProgress& 
       progress.Begin(this->SceneName + ": truth", StepsOfTruth);
       WriteTruth(this->Scene, surface, this->Settings.Size, stem);
     }
-    truths.Surfaces[surface] = ReadTruth(stem);
+    truths.Surfaces[surface] = kept ? std::move(*kept) : ReadTruth(stem);
     names.push_back(MesoName(surface));
   }
   Json scene = { { "scene", this->SceneName }, { "file", this->File }, { "key", key },
@@ -295,7 +308,7 @@ std::unique_ptr<BenchScene::Arm> BenchScene::Render(const BenchArm& choice,
       arm->Row[channel + "_max"] = counts.Maximum;
     }
   }
-  catch (const MesoInputError& problem)
+  catch (const std::exception& problem)
   {
     arm->Row["status"] = "refused";
     arm->Row["reason"] = problem.what();
@@ -341,13 +354,14 @@ void BenchScene::Time(const std::vector<std::unique_ptr<Arm>>& arms, const MesoS
 
 bool BenchScene::Run(BenchResults& results, BenchProgress& progress) const
 {
-  std::filesystem::create_directories(this->PathOf(""));
   Truths truths;
   try
   {
+    std::error_code problem; // of a folder that cannot be made, the files' own messages tell
+    std::filesystem::create_directories(this->PathOf(""), problem);
     truths = this->MakeTruths(results, progress);
   }
-  catch (const MesoInputError& problem)
+  catch (const std::exception& problem) // memory and the ray tracer's own as well: the others go on
   {
     results.SetScene({ { "scene", this->SceneName }, { "file", this->File },
       { "key", this->KeyOfScene() }, { "size", this->Settings.Size }, { "status", "failed" },

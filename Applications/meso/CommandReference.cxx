@@ -24,6 +24,7 @@ MesoExrImage Chosen(const MesoExrImage& all, const std::vector<std::string>& cha
   image.ChannelNames = channels;
   const std::size_t pixels = std::size_t(all.Width) * all.Height;
   std::vector<std::size_t> places;
+  places.reserve(channels.size());
   for (const std::string& channel : channels)
   {
     places.push_back(std::find(all.ChannelNames.begin(), all.ChannelNames.end(), channel) -

@@ -1,6 +1,7 @@
 #include "RenderResults.h"
 
 #include "MesoFrameCost.h"
+#include "MesoRadicalInverse.h"
 #include "MesoSceneBuilder.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -24,18 +25,6 @@
 
 namespace
 {
-/// The radical inverse of an index: points that cover [0,1) evenly, whatever their number.
-double RadicalInverse(int index, int base)
-{
-  double value = 0.;
-  double digit = 1. / base;
-  for (; index > 0; index /= base, digit /= base)
-  {
-    value += digit * (index % base);
-  }
-  return value;
-}
-
 /// The picture that the window holds, RGB, row 0 at the bottom.
 void ReadPixels(vtkMesoEGLRenderWindow* window, vtkUnsignedCharArray* pixels)
 {
@@ -69,8 +58,8 @@ vtkSmartPointer<vtkImageData> RenderPicture(vtkMesoEGLRenderWindow* window, vtkR
   for (int sample = 0; sample < samples; ++sample)
   {
     // One sample lies at the pixel's centre; several spread over the pixel.
-    const double x = samples == 1 ? 0. : RadicalInverse(sample + 1, 2) - 0.5;
-    const double y = samples == 1 ? 0. : RadicalInverse(sample + 1, 3) - 0.5;
+    const double x = samples == 1 ? 0. : MesoRadicalInverse(sample + 1, 2) - 0.5;
+    const double y = samples == 1 ? 0. : MesoRadicalInverse(sample + 1, 3) - 0.5;
     renderer->GetActiveCamera()->SetWindowCenter(2. * x / size[0], 2. * y / size[1]);
     window->Render();
     ReadPixels(window, pixels);

@@ -3,6 +3,7 @@
 #include "SceneFolder.h"
 
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -331,4 +332,18 @@ TEST(MesoBench, ScalingMeasuresEachSeries)
   // Results of the same settings are kept.
   ASSERT_EQ(RunMeso(arguments).ExitCode, 0);
   EXPECT_EQ(Results(scene)["scaling"]["series"], series);
+}
+
+TEST(MesoBench, MakesABrokenTruthAgain)
+{
+  const SceneFolder scene(BrickSphere);
+  ASSERT_EQ(Bench(scene).ExitCode, 0);
+  const std::string before = scene.Bytes("out/scene/truth-mesh.png");
+  for (const char* file : { "truth-mesh.png", "truth-smooth.aov.exr" })
+  {
+    std::ofstream(scene.PathOf(std::string("out/scene/") + file)) << "broken";
+  }
+  const MesoRun run = Bench(scene);
+  EXPECT_EQ(run.ExitCode, 0) << run.Messages;
+  EXPECT_EQ(scene.Bytes("out/scene/truth-mesh.png"), before);
 }

@@ -6,6 +6,8 @@
  * @brief Numbers for samples of pixels and directions: even, and the same in every run.
  */
 
+#include "MesoRadicalInverse.h" // for even points
+
 #ifndef GLM_FORCE_SWIZZLE
 #define GLM_FORCE_SWIZZLE // as MesoHeightTexture.h asks for
 #endif
@@ -13,18 +15,6 @@
 
 #include <cmath>
 #include <cstdint>
-
-/// The radical inverse of an index: points that cover [0,1) evenly, whatever their number.
-inline double MesoRadicalInverse(int index, int base)
-{
-  double value = 0.;
-  double digit = 1. / base;
-  for (; index > 0; index /= base, digit /= base)
-  {
-    value += digit * (index % base);
-  }
-  return value;
-}
 
 /// Numbers in [0,1) that look random, from a seed: the generator splitmix64.
 class MesoRandom
