@@ -34,13 +34,14 @@ const Json* CheapestWithin(const std::vector<const Json*>& rows, double texels)
   return cheapest;
 }
 
-const Json* MostExact(const std::vector<const Json*>& rows)
+const Json* MostExact(const std::vector<const Json*>& rows, double milliseconds)
 {
   const Json* best = nullptr;
   for (const Json* row : rows)
   {
     const auto error = BenchFigure(*row, "texcoord_p95");
-    if (error && (!best || *error < *BenchFigure(*best, "texcoord_p95")))
+    if (error && *BenchTime(*row) <= milliseconds &&
+      (!best || *error < *BenchFigure(*best, "texcoord_p95")))
     {
       best = row;
     }

@@ -3,6 +3,7 @@
 
 #include "BenchResults.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,13 @@ constexpr double BenchErrors[] = { 1., 0.5, 0.1, 0.02 };
 const BenchResults::Json* CheapestWithin(
   const std::vector<const BenchResults::Json*>& rows, double texels);
 
-/// The row whose texcoord_p95 is least, null where there is none.
-const BenchResults::Json* MostExact(const std::vector<const BenchResults::Json*>& rows);
+/// Milliseconds a frame that errors are asked for.
+constexpr double BenchTimes[] = { 10., 16.7, 33.3, 100. };
+
+/// The row whose texcoord_p95 is least among those that take at most `milliseconds`, null where there is
+/// none.
+const BenchResults::Json* MostExact(const std::vector<const BenchResults::Json*>& rows,
+  double milliseconds = std::numeric_limits<double>::infinity());
 
 /// "relief high".
 std::string BenchLabel(const BenchResults::Json& row);

@@ -295,6 +295,7 @@ void WriteScene(
     WriteCosts(page, technique, PointersTo(rows, technique));
   }
   page << "</table></div>\n";
+  WriteErrorsAtTimes(page, rows);
   WriteEqualError(page, rows);
   WriteOrders(page, rows);
   WriteAblation(page, results.AblationsOf(name));

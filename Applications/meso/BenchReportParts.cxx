@@ -49,6 +49,47 @@ bool IsDrawnFromGeometry(const Json& row)
 }
 }
 
+void WriteErrorsAtTimes(std::ostream& page, const std::vector<Json>& rows)
+{
+  page
+    << "<h3>Error at a time</h3>\n<p>The least texcoord_p95 of each technique that takes no longer "
+       "than so many ms a frame.</p>\n";
+  std::vector<std::string> heads = { "technique" };
+  for (const double milliseconds : BenchTimes)
+  {
+    heads.push_back(Number(std::optional<double>(milliseconds)) + " ms");
+  }
+  StartTable(page, heads);
+  std::vector<std::string> techniques;
+  for (const Json& row : rows)
+  {
+    if (row["status"] == "ok" && (techniques.empty() || techniques.back() != row["technique"]))
+    {
+      techniques.push_back(row["technique"]);
+    }
+  }
+  for (const std::string& technique : techniques)
+  {
+    std::vector<const Json*> own;
+    for (const Json& row : rows)
+    {
+      if (row["technique"] == technique)
+      {
+        own.push_back(&row);
+      }
+    }
+    std::vector<std::string> cells = { technique };
+    for (const double milliseconds : BenchTimes)
+    {
+      const Json* best = MostExact(own, milliseconds);
+      cells.push_back(
+        best ? Number(BenchFigure(*best, "texcoord_p95")) + ", " + BenchLabel(*best) : "&ndash;");
+    }
+    WriteLine(page, cells);
+  }
+  EndTable(page);
+}
+
 void WriteEqualError(std::ostream& page, const std::vector<Json>& rows)
 {
   page

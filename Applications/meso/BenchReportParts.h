@@ -8,6 +8,9 @@
 
 /// Parts of a bench's report that say what follows from the rows.
 
+/// The least error of each technique within some times a frame.
+void WriteErrorsAtTimes(std::ostream& page, const std::vector<BenchResults::Json>& rows);
+
 /// Each setting beside the coarsest dicing that is no worse, and frames until it has caught up.
 void WriteEqualError(std::ostream& page, const std::vector<BenchResults::Json>& rows);
 

@@ -300,6 +300,10 @@ std::unique_ptr<BenchScene::Arm> BenchScene::Render(const BenchArm& choice,
     {
       renderer->AddActor(object.Actor);
     }
+    if (!scene.Camera.ClippingRange)
+    {
+      renderer->ResetCameraClippingRange(); // as a rendering of the arm alone has it
+    }
     this->Judge(*arm, RenderAndCapture(window, renderer, arm->Builder, pass), truths);
     for (const std::string channel : { "fetches", "texel_reads" })
     {

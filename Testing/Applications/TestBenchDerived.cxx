@@ -1,5 +1,6 @@
 // What a bench's report derives from rows, on rows whose answers are known.
 
+#include "BenchAnalysis.h"
 #include "BenchDerived.h"
 
 #include <cmath>
@@ -44,6 +45,20 @@ TEST(BenchDerived, AlternativeIsTheCoarsestDicingThatIsNoWorse)
   EXPECT_EQ((*BenchAlternative(rows, Relief))["quality"], "high");
   rows[3]["errors"]["mesh"]["depth_p95"] = 0.3;
   EXPECT_EQ(BenchAlternative(rows, Relief), nullptr);
+}
+
+TEST(BenchDerived, ErrorAtATimeIsTheLeastThatTheTimeAllows)
+{
+  const std::vector<Json> rows = Dicings();
+  std::vector<const Json*> pointers;
+  for (const Json& row : rows)
+  {
+    pointers.push_back(&row);
+  }
+  EXPECT_EQ(MostExact(pointers, 4.), nullptr);
+  EXPECT_EQ((*MostExact(pointers, 12.))["quality"], "low");
+  EXPECT_EQ((*MostExact(pointers, 100.))["quality"], "medium");
+  EXPECT_EQ((*MostExact(pointers))["quality"], "high");
 }
 
 TEST(BenchDerived, OrderIsThePowerOfTheWork)

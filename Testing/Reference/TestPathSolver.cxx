@@ -157,6 +157,10 @@ TEST_F(PathSolver, TakesPathsThatAreNone)
   EXPECT_FALSE(MesoIsBlocked(field, path));
   path.MapSpan = { 1e12, 0. };
   EXPECT_GT(MesoFirstMeeting(field, path), 1.);
+  // Far out on a map that is clamped, where whole tiles are not taken off.
+  const MesoModelField clamped = this->Field(Maps[0], MesoWrap::Clamp);
+  EXPECT_GT(MesoFirstMeeting(clamped, clamped.straightPath({ 1e12, 0. }, { 0., 0. }, 0., 1.)), 1.);
+  EXPECT_LE(MesoFirstMeeting(clamped, clamped.straightPath({ 1e6, 0. }, { 0., 0. }, 0., 1.)), 1.);
   // Straight down, and along a line of texel centres.
   EXPECT_LE(MesoFirstMeeting(field, field.straightPath({ 0.1, 0.2 }, { 0., 0. }, 0., 1.)), 1.);
   EXPECT_LE(

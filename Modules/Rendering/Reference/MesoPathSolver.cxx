@@ -139,8 +139,10 @@ bool IsSound(const MesoModelField& field, const MesoModelPath& path)
 {
   // Past this a texel's number is no int.
   constexpr double MostTexels = 1e9;
-  const glm::dvec2 span = glm::abs(glm::dvec2(field.mapSize()) * path.MapSpan);
-  return field.pathIsSound(path) && span.x < MostTexels && span.y < MostTexels;
+  const glm::dvec2 size(field.mapSize());
+  const glm::dvec2 reach =
+    size * (glm::abs(path.MapSpan) + glm::abs(path.MapStart - field.wholeTiles(path.MapStart)));
+  return field.pathIsSound(path) && reach.x < MostTexels && reach.y < MostTexels;
 }
 }
 
