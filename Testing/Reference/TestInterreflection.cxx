@@ -1,6 +1,7 @@
 // Light over several surfaces, where the answer is known: inside a closed sphere, in a corner of two
 // walls, over a flat plane, which sees nothing of itself; and what must not depend on the noise.
 
+#include "MesoSampling.h"
 #include "ReferenceWorld.h"
 
 #include "vtkSMPTools.h"
@@ -52,6 +53,31 @@ const char* const Bricks = R"("camera": {"position": [0.4, -0.6, 1], "view_angle
   "nodes": [{"mesh": {"shape": "plane", "size": [3, 3]}, "material": {"color": [0.8, 0.6, 0.4]},
     "mesostructure": {"technique": "relief", "scale": 0.08, "tiles": [3, 3],
                       "height_map": {"pattern": "brick", "size": [64, 64]}}}])";
+}
+
+TEST(Interreflection, DirectionsAreAsDenseAsTheCosine)
+{
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, -0.8, 0.5));
+  MesoRandom random(5);
+  glm::dvec3 mean(0.);
+  double cosines = 0.;
+  double squares = 0.;
+  constexpr int Runs = 100000;
+  for (int run = 0; run < Runs; ++run)
+  {
+    const double u = random.Next();
+    const glm::dvec3 direction = MesoCosineDirection(normal, u, random.Next());
+    ASSERT_NEAR(glm::length(direction), 1., 1e-12);
+    const double cosine = glm::dot(direction, normal);
+    ASSERT_GE(cosine, 0.);
+    mean += direction / double(Runs);
+    cosines += cosine / Runs;
+    squares += cosine * cosine / Runs;
+  }
+  // Of the density cos / pi: the mean cosine is 2/3, that of its square 1/2, and no side is preferred.
+  EXPECT_NEAR(cosines, 2. / 3., 0.005);
+  EXPECT_NEAR(squares, 0.5, 0.005);
+  EXPECT_NEAR(glm::length(mean - 2. / 3. * normal), 0., 0.01);
 }
 
 TEST(Interreflection, InsideAClosedSphereIsAGeometricSeries)
