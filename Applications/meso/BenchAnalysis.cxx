@@ -49,6 +49,24 @@ const Json* MostExact(const std::vector<const Json*>& rows, double milliseconds)
   return best;
 }
 
+std::optional<double> BenchSlope(const std::vector<std::pair<double, double>>& points)
+{
+  const auto n = static_cast<double>(points.size());
+  double sumX = 0.;
+  double sumY = 0.;
+  double sumXX = 0.;
+  double sumXY = 0.;
+  for (const auto& [x, y] : points)
+  {
+    sumX += x;
+    sumY += y;
+    sumXX += x * x;
+    sumXY += x * y;
+  }
+  const double spread = n * sumXX - sumX * sumX;
+  return spread > 0. ? std::optional<double>((n * sumXY - sumX * sumY) / spread) : std::nullopt;
+}
+
 std::string BenchLabel(const Json& row)
 {
   const std::string quality = row["quality"];

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The figure of a row by a truth ("mesh", "smooth"; "" for the one that it is judged by); none where
@@ -30,6 +31,9 @@ constexpr double BenchTimes[] = { 10., 16.7, 33.3, 100. };
 /// none.
 const BenchResults::Json* MostExact(const std::vector<const BenchResults::Json*>& rows,
   double milliseconds = std::numeric_limits<double>::infinity());
+
+/// The slope of the straight line through points (x, y), by least squares; none where x does not vary.
+std::optional<double> BenchSlope(const std::vector<std::pair<double, double>>& points);
 
 /// "relief high".
 std::string BenchLabel(const BenchResults::Json& row);

@@ -46,11 +46,7 @@ const Json* BenchAlternative(const std::vector<Json>& rows, const Json& row)
 std::optional<double> BenchOrder(const std::vector<Json>& rows, const std::string& technique,
   const std::string& figure, const std::string& surface)
 {
-  double n = 0.;
-  double sumX = 0.;
-  double sumY = 0.;
-  double sumXX = 0.;
-  double sumXY = 0.;
+  std::vector<std::pair<double, double>> points;
   for (const Json& row : rows)
   {
     if (row["technique"] != technique || row["status"] != "ok" ||
@@ -63,17 +59,10 @@ std::optional<double> BenchOrder(const std::vector<Json>& rows, const std::strin
     {
       return {};
     }
-    const double x = std::log(WorkOf(row));
-    const double y = std::log(*error);
-    n += 1.;
-    sumX += x;
-    sumY += y;
-    sumXX += x * x;
-    sumXY += x * y;
+    points.emplace_back(std::log(WorkOf(row)), std::log(*error));
   }
-  const double spread = n * sumXX - sumX * sumX;
-  return n >= 3. && spread > 0. ? std::optional<double>(-(n * sumXY - sumX * sumY) / spread)
-                                : std::nullopt;
+  const auto slope = points.size() >= 3 ? BenchSlope(points) : std::nullopt;
+  return slope ? std::optional<double>(-*slope) : slope;
 }
 
 std::optional<double> BenchBreakEven(const Json& dear, const Json& slow)

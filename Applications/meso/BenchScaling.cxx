@@ -1,5 +1,6 @@
 #include "BenchScaling.h"
 
+#include "BenchAnalysis.h"
 #include "BenchProgress.h"
 #include "BenchTruth.h"
 #include "MesoFrameCost.h"
@@ -111,27 +112,6 @@ std::vector<MesoTechnique> TechniquesOf(const BenchSettings& settings)
   return techniques;
 }
 
-/// Nanoseconds a unit: the slope of the straight line through points in milliseconds.
-double SlopeOf(const Json& points)
-{
-  double n = 0.;
-  double sumX = 0.;
-  double sumY = 0.;
-  double sumXX = 0.;
-  double sumXY = 0.;
-  for (const Json& point : points)
-  {
-    const double x = point[0];
-    const double y = point[1];
-    n += 1.;
-    sumX += x;
-    sumY += y;
-    sumXX += x * x;
-    sumXY += x * y;
-  }
-  return 1e6 * (n * sumXY - sumX * sumY) / (n * sumXX - sumX * sumX);
-}
-
 /// Milliseconds of each technique, and the pixels that the torus covers.
 std::vector<double> Measure(const Setting& setting, const std::vector<MesoTechnique>& techniques,
   const BenchSettings& settings, double& covered)
@@ -186,7 +166,7 @@ Json MeasureScaling(const BenchSettings& settings, BenchProgress& progress)
   Json scaling = Json::array();
   for (const Series& series : AllSeries(SettingsOfSeries(settings)))
   {
-    std::vector<Json> points(techniques.size(), Json::array());
+    std::vector<std::vector<std::pair<double, double>>> points(techniques.size());
     for (const Setting& setting : series.Settings)
     {
       progress.Begin(std::string("scaling: ") + series.What, 1.);
@@ -194,13 +174,14 @@ Json MeasureScaling(const BenchSettings& settings, BenchProgress& progress)
       const std::vector<double> milliseconds = Measure(setting, techniques, settings, covered);
       for (std::size_t i = 0; i < techniques.size(); ++i)
       {
-        points[i].push_back({ ValueOf(series.What, setting, covered), milliseconds[i] });
+        points[i].emplace_back(ValueOf(series.What, setting, covered), milliseconds[i]);
       }
     }
     for (std::size_t i = 0; i < techniques.size(); ++i)
     {
+      const auto slope = BenchSlope(points[i]);
       scaling.push_back({ { "what", series.What }, { "technique", MesoName(techniques[i]) },
-        { "points", points[i] }, { "ns_per_unit", SlopeOf(points[i]) } });
+        { "points", points[i] }, { "ns_per_unit", slope ? Json(1e6 * *slope) : Json() } });
     }
   }
   return scaling;
