@@ -27,12 +27,6 @@ bool IsExr(const std::string& fileName)
   return EndsWith(fileName, ".exr");
 }
 
-/// The AOVs that lie beside a picture: `x.aov.exr` beside `x.png`.
-std::string AOVsBeside(const std::string& picture)
-{
-  return std::filesystem::path(picture).replace_extension(".aov.exr").string();
-}
-
 MesoAOVs ReadAOVs(const std::string& fileName)
 {
   const MesoExrImage image = MesoReadExr(fileName);
@@ -99,8 +93,8 @@ MesoImageError CommandCompare::Compare() const
   {
     truth.Picture = MesoReadPicture(this->Truth);
     test.Picture = MesoReadPicture(this->Test);
-    truthAOVs = AOVsBeside(this->Truth);
-    testAOVs = AOVsBeside(this->Test);
+    truthAOVs = AOVFileName(this->Truth);
+    testAOVs = AOVFileName(this->Test);
     const bool hasTruth = std::filesystem::exists(truthAOVs);
     const bool hasTest = std::filesystem::exists(testAOVs);
     if (!hasTruth || !hasTest)
@@ -152,8 +146,8 @@ int CommandCompare::Run()
   const MesoImageError error = this->Compare();
   if (!this->ClassesFile.empty() && !error.Geometry)
   {
-    throw MesoInputError(this->ClassesFile + ": classes need " + AOVsBeside(this->Truth) + " and " +
-      AOVsBeside(this->Test));
+    throw MesoInputError(this->ClassesFile + ": classes need " + AOVFileName(this->Truth) +
+      " and " + AOVFileName(this->Test));
   }
   this->WritePictures(error);
 

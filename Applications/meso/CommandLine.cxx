@@ -114,7 +114,7 @@ void AddStatsOption(CLI::App& command, std::string& file, const std::string& hel
 
 std::string AOVFileName(const std::string& picture)
 {
-  return picture.substr(0, picture.size() - 4) + ".aov.exr";
+  return std::filesystem::path(picture).replace_extension(".aov.exr").string();
 }
 
 void CheckFileNames(const std::vector<std::string>& names, const std::vector<std::string>& inputs)

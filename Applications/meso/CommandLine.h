@@ -39,7 +39,7 @@ void AddSamplesOption(CLI::App& command, int& samples);
 void AddStatsOption(CLI::App& command, std::string& file, const std::string& help);
 ///@}
 
-/// `x.png` gives `x.aov.exr`.
+/// The AOVs that lie beside a picture: `x.png` gives `x.aov.exr`.
 std::string AOVFileName(const std::string& picture);
 
 /// Throws where a result could not be written, two would go to one file, or one would go over a file
