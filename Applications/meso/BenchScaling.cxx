@@ -160,6 +160,18 @@ double StepsOfScaling(const BenchSettings& settings)
   return 4. * SettingsOfSeries(settings);
 }
 
+std::string KeyOfScaling(const BenchSettings& settings, const std::string& device)
+{
+  std::string text = device + "\n" + std::to_string(settings.WarmUp) + "\n" +
+    std::to_string(settings.Runs) + "\n" + MESO_VERSION + "\n" +
+    std::to_string(SettingsOfSeries(settings));
+  for (const MesoTechnique technique : TechniquesOf(settings))
+  {
+    text += std::string("\n") + MesoName(technique);
+  }
+  return BenchKey(text);
+}
+
 Json MeasureScaling(const BenchSettings& settings, BenchProgress& progress)
 {
   const std::vector<MesoTechnique> techniques = TechniquesOf(settings);

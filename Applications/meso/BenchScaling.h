@@ -20,4 +20,7 @@ BenchResults::Json MeasureScaling(const BenchSettings& settings, BenchProgress& 
 /// What MeasureScaling() will tell the progress.
 double StepsOfScaling(const BenchSettings& settings);
 
+/// Of all that MeasureScaling() depends on, to tell whether kept figures are those asked for.
+std::string KeyOfScaling(const BenchSettings& settings, const std::string& device);
+
 #endif

@@ -67,8 +67,7 @@ CommandBench::CommandBench(CLI::App& app)
   command
     ->add_option("-o,--output", this->Settings.Folder,
       "Folder for results.csv, results.json, report.html and pictures. What it holds already of "
-      "the "
-      "same scenes and settings is kept")
+      "the same scenes and settings is kept")
     ->required();
   command->add_option_function<std::string>(
     "--techniques",
@@ -166,8 +165,7 @@ int CommandBench::Run()
   }
   if (this->Settings.Scaling)
   {
-    const std::string key = BenchKey(device + "\n" + std::to_string(this->Settings.WarmUp) + "\n" +
-      std::to_string(this->Settings.Runs) + "\n" + MESO_VERSION);
+    const std::string key = KeyOfScaling(this->Settings, device);
     const auto& before = results.All()["scaling"];
     if (before.is_null() || before["key"] != key)
     {

@@ -317,9 +317,9 @@ TEST(MesoBench, AblationShowsWhatEachEffectIsWorth)
 TEST(MesoBench, ScalingMeasuresEachSeries)
 {
   const SceneFolder scene(BrickSphere);
-  const std::vector<std::string> arguments = { "bench", scene.PathOf("scene.json"), "-o",
-    scene.PathOf("out"), "--quick", "--size", "64x48", "--techniques", "relief", "--qualities",
-    "draft", "--scaling" };
+  std::vector<std::string> arguments = { "bench", scene.PathOf("scene.json"), "-o",
+    scene.PathOf("out"), "--quick", "--size", "64x48", "--qualities", "draft", "--scaling",
+    "--techniques", "relief" };
   ASSERT_EQ(RunMeso(arguments).ExitCode, 0);
   const Json series = Results(scene)["scaling"]["series"];
   EXPECT_EQ(series.size(), 4u * 2u); // relief and the floor
@@ -332,6 +332,15 @@ TEST(MesoBench, ScalingMeasuresEachSeries)
   // Results of the same settings are kept.
   ASSERT_EQ(RunMeso(arguments).ExitCode, 0);
   EXPECT_EQ(Results(scene)["scaling"]["series"], series);
+  // Those of other techniques are not.
+  arguments.back() = "relief-quadric";
+  ASSERT_EQ(RunMeso(arguments).ExitCode, 0);
+  const Json others = Results(scene)["scaling"]["series"];
+  EXPECT_EQ(others.size(), series.size());
+  for (const Json& one : others)
+  {
+    EXPECT_TRUE(one["technique"] == "plain" || one["technique"] == "relief-quadric") << one;
+  }
 }
 
 TEST(MesoBench, MakesABrokenTruthAgain)
