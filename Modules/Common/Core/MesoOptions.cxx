@@ -181,6 +181,7 @@ MesoSearchSteps MesoStepsOfQuality(MesoQuality quality)
     case MesoQuality::Medium:
       return { 64, 7 };
     case MesoQuality::High:
+    case MesoQuality::Certified:
       return { 128, 8 };
   }
   return { 64, 7 };
@@ -202,6 +203,7 @@ double MesoFacetsPerTexel(MesoQuality quality)
     case MesoQuality::Medium:
       return 1.;
     case MesoQuality::High:
+    case MesoQuality::Certified:
       return 2.;
   }
   return 1.;
@@ -222,8 +224,9 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
         MesoEffect::Silhouette };
+    default:
+      return {};
   }
-  return {};
 }
 
 MesoEffects MesoEffectsOn(const MesoMesostructureOptions& options)

@@ -19,10 +19,18 @@
 
 enum class MesoTechnique
 {
-  Plain,         ///< the base mesh, shaded
-  Relief,        ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
-  ReliefQuadric, ///< over a quadric at each vertex, with outlines (Oliveira2005, section 3.2)
-  Tessellated    ///< the mesh, diced and displaced: ordinary triangles
+  Plain,              ///< the base mesh, shaded
+  Bump,               ///< the normal tilted by the map's slope (Blinn1978)
+  Normal,             ///< a normal map in tangent space
+  NormalObject,       ///< a normal map in object space
+  Parallax,           ///< the map read aside by the view's slope, or by a march of few steps
+  Horizon,            ///< bump with self-shadow from a horizon map (Max1988)
+  Relief,             ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
+  ReliefQuadric,      ///< over a quadric at each vertex, with outlines (Oliveira2005, section 3.2)
+  ReliefQuadricExact, ///< the same by the distance to the quadric (Oliveira2005, section 3.1)
+  Displacement,       ///< vertices of instanced grids moved in the vertex stage
+  GeometryImage,      ///< the mesh as an image of positions, drawn as a regular grid
+  Tessellated         ///< the mesh, diced and displaced: ordinary triangles
 };
 
 /// How finely a technique searches or dices; see MesoStepsOfQuality() and MesoFacetsPerTexel().
@@ -31,7 +39,25 @@ enum class MesoQuality
   Draft,
   Low,
   Medium,
-  High
+  High,
+  Certified ///< a search that misses nothing of the technique's own model
+};
+
+/// How a ray's first meeting with a height map is looked for.
+enum class MesoSearch
+{
+  LinearBinary, ///< equal steps, then halving (Oliveira2005, section 2.1)
+  LinearSecant, ///< equal steps, then the secant through the bracket
+  Cone,         ///< steps as far as a cone that is free of relief allows, then halving
+  Certified     ///< through the maxima of the map, cell by cell, to the exact root
+};
+
+/// What a curved relief's base is taken for around a fragment.
+enum class MesoCurvedKind
+{
+  Quadric,   ///< the vertices' quadric
+  Bent,      ///< the surface's own frame, looked up again at each step (Chen2008)
+  Osculating ///< the circle of the ray's normal curvature
 };
 
 /// What lies outside the map's [0,1] x [0,1].
@@ -57,7 +83,8 @@ enum class MesoEffect : std::uint32_t
   SelfShadow = 1u << 2, ///< detail shades detail, for each light
   Depth = 1u << 3,      ///< the depth buffer is that of the detail
   Silhouette = 1u << 4, ///< the outline shows the detail
-  Curvature = 1u << 5   ///< the ray is bent with the surface
+  Curvature = 1u << 5,  ///< the ray is bent with the surface
+  CastShadow = 1u << 6  ///< detail casts shadows on other objects and takes theirs
 };
 
 /// A set of effects.
@@ -143,6 +170,8 @@ struct MesoMesostructureOptions
   std::array<double, 2> Tiles = { 1., 1. }; ///< map coordinate = texture coordinate x Tiles
   MesoWrap Wrap = MesoWrap::Repeat;
   MesoQuadricKind Quadric = MesoQuadricKind::Full; ///< for the techniques that bend their relief
+  MesoCurvedKind Curved = MesoCurvedKind::Quadric; ///< the same
+  std::optional<MesoSearch> Search;                ///< default: what the quality stands for
 };
 
 /// The effects that are on: what is chosen, where "auto" means what the technique provides.
