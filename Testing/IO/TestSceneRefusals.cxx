@@ -89,8 +89,8 @@ TEST(SceneRefusals, KnownButNotYetServed)
 {
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
   EXPECT_EQ(OfScene(R"("clipping_planes": [])"), "s.json: clipping_planes: is not available yet");
-  for (const char* key : { "relief_map", "volume", "tile_mesh", "baked", "reference", "search",
-         "curved", "rank", "segments" })
+  for (const char* key :
+    { "relief_map", "volume", "tile_mesh", "baked", "search", "curved", "rank", "segments" })
   {
     EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
       std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
@@ -188,6 +188,8 @@ TEST(SceneRefusals, NodesAndSurfaces)
     { R"("mesh": "a", "feature_angle": 181)", "feature_angle: must be in [0, 180], is 181" },
     { R"("mesh": "a", "material": {"opacity": 2})", "opacity: must be in [0, 1], is 2" },
     { R"("mesh": "a", "material": {"specular_power": 200})", "must be in [0, 128], is 200" },
+    { R"("mesh": "a", "mesostructure": {"reference": 1.5})",
+      "reference: must be in [0, 1], is 1.5" },
     { R"("mesh": "a", "mesostructure": {"range": [0, 1]})", "there is no height_map or depth_map" },
     { R"("mesh": "a", "mesostructure": {"technique": "relief", "height_map": "h"})",
       "needs scale" },

@@ -131,6 +131,7 @@ TEST(SceneSchema, DefaultsAreThoseOfTheReader)
   const MesoMesostructureOptions options;
   EXPECT_EQ(of("mesostructure", "tiles"), Json(options.Tiles));
   EXPECT_EQ(of("mesostructure", "scale"), options.Scale);
+  EXPECT_EQ(of("mesostructure", "reference"), options.Reference);
   EXPECT_EQ(of("mesostructure", "quality"), MesoName(options.Quality));
 }
 

@@ -56,6 +56,39 @@ TEST(ReferenceClosedForms, SmoothSphereMovedEvenly)
   }
 }
 
+TEST(ReferenceClosedForms, SmoothSphereMovedOutward)
+{
+  // q = p + (h - r) D n with h = 0.25 everywhere: also its normal and its base, where h = 1 lies.
+  for (double reference : { 0., 0.5, 0.75 })
+  {
+    std::string nodes = SmoothSphere;
+    nodes.insert(nodes.find("\"scale\""), "\"reference\": " + std::to_string(reference) + ", ");
+    ReferenceWorld world(nodes, true);
+    const double radius = 1. + (0.25 - reference) * 0.2;
+    const double drawn = 1. + (1. - reference) * 0.2;
+    RandomNumbers random(1);
+    for (int i = 0; i < 300; ++i)
+    {
+      const glm::dvec3 origin = 4. * random.Direction();
+      const glm::dvec3 direction = 0.95 * radius * random.Direction() - origin;
+      const double t = world.T(origin, direction);
+      ASSERT_NEAR(t, SphereT(origin, direction, radius), Rounding) << "ray " << i;
+      const auto point = world.Surfaces[0]->Describe(world.Hit, direction);
+      const glm::dvec3 outward = glm::normalize(origin + t * direction);
+      ASSERT_NEAR(point.Relief, 0.75, 1e-12);
+      ASSERT_GT(glm::dot(point.Shading, outward), 1. - 1e-9);
+    }
+    for (double off : { 1. - 1e-9, 1. + 1e-9 })
+    {
+      MesoReferenceTracer::Ray ray;
+      ray.Origin = { drawn * off * 0.6, drawn * off * 0.8, 5. };
+      ray.Direction = { 0., 0., -1. };
+      ray.TMax = 10.;
+      EXPECT_EQ(world.Tracer->MeetsBase(ray, 0, world.Work), off < 1.) << reference;
+    }
+  }
+}
+
 TEST(ReferenceClosedForms, MeshOfASphereIsItsFacets)
 {
   // The same even relief over the mesh: on a corner's own normal the hit is at the sphere's.

@@ -20,6 +20,7 @@ struct Relief
   vtkSmartPointer<vtkImageData> Map;
   double Scale;
   std::array<double, 2> Tiles;
+  double Reference = 1.;
 };
 
 vtkSmartPointer<vtkPolyData> Dice(vtkPolyData* mesh, const Relief& relief, double facets)
@@ -28,6 +29,7 @@ vtkSmartPointer<vtkPolyData> Dice(vtkPolyData* mesh, const Relief& relief, doubl
   filter->SetInputData(mesh);
   filter->SetHeightMapData(relief.Map);
   filter->SetScale(relief.Scale);
+  filter->SetReference(relief.Reference);
   filter->SetTiles(relief.Tiles[0], relief.Tiles[1]);
   filter->SetFacetsPerTexel(facets);
   filter->Update();
@@ -75,7 +77,8 @@ public:
       }
       const double h =
         this->Texture.sampleHeight({ u * this->Given.Tiles[0], v * this->Given.Tiles[1] });
-      return MesoSum(p, MesoScaled(n, (h - 1.) * this->Given.Scale / MesoLength(n)));
+      const double above = (h - this->Given.Reference) * this->Given.Scale;
+      return MesoSum(p, MesoScaled(n, above / MesoLength(n)));
     }
     ADD_FAILURE() << "no triangle at " << u << " " << v;
     return { 0., 0., 0. };
@@ -242,20 +245,25 @@ TEST(DisplacedMeshAccuracy, ErrorFallsFourfold)
   EXPECT_LT(before[0], 2e-4 * relief.Scale);
 }
 
-TEST(DisplacedMeshAccuracy, NormalHasAllTerms)
+class NormalOfDisplacedMesh : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(NormalOfDisplacedMesh, HasAllTerms)
 {
   // A fine base and map stand for the smooth torus and pattern: the normal is that of
-  // Q = P + (h - 1) D N by central differences. D is half the tube, so that the change of N counts.
+  // Q = P + (h - r) D N by central differences. D is half the tube, so that the change of N counts.
   const MesoShape shape("torus");
   const MesoPattern pattern("smooth", 1);
   const double scale = 0.2;
+  const double reference = GetParam();
   const auto base = ShapeMesh("torus", { { "rings", { 128. } }, { "sides", { 96. } } });
-  const auto diced = Dice(base, { PatternMap("smooth", 256), scale, { 3., 1. } }, 0.2);
+  const auto diced = Dice(base, { PatternMap("smooth", 256), scale, { 3., 1. }, reference }, 0.2);
   const auto surface = [&](double u, double v)
   {
     const MesoShapePoint point = shape.At(u, v);
     const double h = pattern.At(3. * u, v);
-    return MesoSum(point.Position, MesoScaled(point.Normal, (h - 1.) * scale));
+    return MesoSum(point.Position, MesoScaled(point.Normal, (h - reference) * scale));
   };
   double worst = 0.;
   double sum = 0.;
@@ -277,6 +285,24 @@ TEST(DisplacedMeshAccuracy, NormalHasAllTerms)
   // What the finite base and map leave: without the change of N the mean is above 5 degrees.
   EXPECT_LT(sum / count, 0.2);
   EXPECT_LT(worst, 1.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(References, NormalOfDisplacedMesh, testing::Values(1., 0.));
+
+TEST(DisplacedMeshAccuracy, SphereMovedEvenlyIsASphere)
+{
+  const auto sphere = ShapeMesh("sphere", { { "radius", { 2. } } });
+  for (double reference : { 0., 0.25, 1. })
+  {
+    const auto diced = Dice(sphere, { ConstantMap(0.625), 0.4, { 1., 1. }, reference }, 0.01);
+    const double radius = 2. + (0.625 - reference) * 0.4; // 0.625 and its texels are exact in float
+    ASSERT_EQ(diced->GetNumberOfPolys(), sphere->GetNumberOfPolys());
+    for (vtkIdType i = 0; i < diced->GetNumberOfPoints(); ++i)
+    {
+      ASSERT_NEAR(MesoLength(PositionOf(diced, i)), radius, 1e-14);
+      ASSERT_NEAR(TupleOf(diced, "MesoRelief", i)[0], 0.375, 1e-15);
+    }
+  }
 }
 
 TEST(DisplacedMeshAccuracy, MirroredAndShearedChartsHaveTheSameSurface)

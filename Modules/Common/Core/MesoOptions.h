@@ -166,7 +166,8 @@ struct MesoMesostructureOptions
   MesoTechnique Technique = MesoTechnique::Plain;
   MesoQuality Quality = MesoQuality::Medium;
   MesoEffectChoice Effects;
-  double Scale = 0.0;                       ///< D: depth of the deepest point, object units, >= 0
+  double Scale = 0.0;     ///< D: height of the relief, deepest point to highest, object units, >= 0
+  double Reference = 1.0; ///< r, the height in [0,1] that lies on the mesh: 1 inward, 0 outward
   std::array<double, 2> Tiles = { 1., 1. }; ///< map coordinate = texture coordinate x Tiles
   MesoWrap Wrap = MesoWrap::Repeat;
   MesoQuadricKind Quadric = MesoQuadricKind::Full; ///< for the techniques that bend their relief

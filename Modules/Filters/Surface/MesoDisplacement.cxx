@@ -45,11 +45,13 @@ std::array<MesoVector, 2> Solve(const MesoVector& a, const MesoVector& b,
 }
 
 MesoDisplacement::MesoDisplacement(const Base& base,
-  const MesoKernels::Double::HeightField& heights, std::array<double, 2> tiles, double scale)
+  const MesoKernels::Double::HeightField& heights, std::array<double, 2> tiles, double scale,
+  double reference)
   : Mesh(base)
   , Heights(heights)
   , Tiles(tiles)
   , Scale(scale)
+  , Reference(reference)
 {
 }
 
@@ -121,8 +123,8 @@ MesoDisplacedPoint MesoDisplacement::Displaced(const MesoBasePoint& base) const
   point.MapCoordinate = { base.Coordinate[0] * this->Tiles[0],
     base.Coordinate[1] * this->Tiles[1] };
   point.Height = this->Heights.bilinearHeight({ point.MapCoordinate[0], point.MapCoordinate[1] });
-  point.Position =
-    MesoSum(base.Position, MesoScaled(point.UnitNormal, (point.Height - 1.) * this->Scale));
+  point.Position = MesoSum(
+    base.Position, MesoScaled(point.UnitNormal, (point.Height - this->Reference) * this->Scale));
   return point;
 }
 
@@ -149,7 +151,7 @@ MesoVector MesoDisplacement::ShadingNormal(const Derivatives& triangle, const Me
     flat[k] = WithoutPart(triangle.Position[k], n);
     const MesoVector turn = MesoScaled(WithoutPart(triangle.Normal[k], n), 1. / length);
     const MesoVector relief =
-      MesoSum(MesoScaled(n, gradient[k]), MesoScaled(turn, point.Height - 1.));
+      MesoSum(MesoScaled(n, gradient[k]), MesoScaled(turn, point.Height - this->Reference));
     q[k] = MesoSum(flat[k], MesoScaled(relief, this->Scale));
   }
   const double side = MesoDot(MesoCross(flat[0], flat[1]), n);

@@ -3,15 +3,15 @@
 
 /**
  * @class MesoDisplacement
- * @brief Evaluates the displaced surface q = p + (h - 1) D n over a triangle mesh, in double.
+ * @brief Evaluates the displaced surface q = p + (h - r) D n over a triangle mesh, in double.
  *
  * In each triangle p is linear, n is the vertices' unit normals interpolated linearly and then made
  * unit, and h, in [0,1], is read bilinearly at the map coordinates (s, t) = (u, v) x tiles, which
- * are linear too. D >= 0 is in object units.
+ * are linear too. D >= 0 is in object units, r in [0,1] is the height that lies on the mesh.
  *
  * The shading normal is q_s x q_t (Blinn1978; Marschner2008) with
  *
- *     q_s = P p_s + D (h_s n + (h - 1) n_s),    P p_s = p_s - n (n . p_s),
+ *     q_s = P p_s + D (h_s n + (h - r) n_s),    P p_s = p_s - n (n . p_s),
  *
  * and q_t alike, turned to the side of n where the height is constant. h_s, h_t are central
  * differences of one texel, interpolated bilinearly (heightGradient of Shaders/Kernels); n_s and n_t
@@ -58,7 +58,7 @@ public:
   };
 
   MesoDisplacement(const Base& base, const MesoKernels::Double::HeightField& heights,
-    std::array<double, 2> tiles, double scale);
+    std::array<double, 2> tiles, double scale, double reference);
 
   /// Derivatives of a triangle's linear functions with respect to s and t; none where the texture
   /// coordinates have no area but for rounding.
@@ -93,6 +93,7 @@ private:
   const MesoKernels::Double::HeightField& Heights;
   std::array<double, 2> Tiles;
   double Scale;
+  double Reference;
 };
 
 #endif

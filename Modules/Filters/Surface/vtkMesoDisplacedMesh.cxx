@@ -176,6 +176,7 @@ void vtkMesoDisplacedMesh::CheckParameters() const
     }
   };
   check(this->Scale >= 0., "Scale", this->Scale, "0 or more");
+  check(this->Reference >= 0. && this->Reference <= 1., "Reference", this->Reference, "in [0, 1]");
   check(this->Tiles[0] > 0., "Tiles along u", this->Tiles[0], "more than 0");
   check(this->Tiles[1] > 0., "Tiles along v", this->Tiles[1], "more than 0");
   check(this->FacetsPerTexel > 0., "FacetsPerTexel", this->FacetsPerTexel, "more than 0");
@@ -207,7 +208,7 @@ void vtkMesoDisplacedMesh::Execute(vtkPolyData* input, vtkImageData* heights, vt
   const MesoDisplacement::Base surface = { base.Mesh, base.Normals, uv,
     normals && !base.NormalsAreMade ? MesoRoundingOf(normals) : 0., MesoRoundingOf(coordinates) };
   const MesoDisplacement displacement(
-    surface, field, { this->Tiles[0], this->Tiles[1] }, this->Scale);
+    surface, field, { this->Tiles[0], this->Tiles[1] }, this->Scale, this->Reference);
   const bool done = base.ArrayType() == VTK_DOUBLE
     ? this->Fill<vtkDoubleArray>(plan, displacement, base.Mesh, input, output)
     : this->Fill<vtkFloatArray>(plan, displacement, base.Mesh, input, output);
@@ -322,6 +323,7 @@ void vtkMesoDisplacedMesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Reference: " << this->Reference << "\n";
   os << indent << "Tiles: " << this->Tiles[0] << " " << this->Tiles[1] << "\n";
   os << indent << "Wrap: " << MesoName(this->Wrap) << "\n";
   os << indent << "FacetsPerTexel: " << this->FacetsPerTexel << "\n";

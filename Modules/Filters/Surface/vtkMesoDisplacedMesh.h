@@ -5,7 +5,7 @@
  * @class vtkMesoDisplacedMesh
  * @brief Dice a mesh finely and displace it by a height map: relief as ordinary triangles.
  *
- * The surface is q = p + (h - 1) D n (MesoDisplacement.h has the equations). Its diced points lie on
+ * The surface is q = p + (h - r) D n (MesoDisplacement.h has the equations). Its diced points lie on
  * it, their positions computed in double; between them it is replaced by flat triangles. The error
  * against it falls fourfold when FacetsPerTexel is doubled, as long as no facet crosses a line of
  * texel centres, where a bilinear map has creases; there it falls at least by half.
@@ -71,9 +71,16 @@ public:
   ///@}
 
   ///@{
-  /// D, the depth of the deepest point below the base mesh, in object units, >= 0. Default: 0.
+  /// D, the height of the relief from its deepest point to its highest, in object units, >= 0.
+  /// Default: 0.
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
+  ///@}
+
+  ///@{
+  /// r, the height that lies on the base mesh, in [0,1]: 1 displaces inward, 0 outward. Default: 1.
+  vtkSetMacro(Reference, double);
+  vtkGetMacro(Reference, double);
   ///@}
 
   ///@{
@@ -147,6 +154,7 @@ private:
   bool ForEach(vtkIdType size, double from, double to, const Work& work);
 
   double Scale = 0.;
+  double Reference = 1.;
   double Tiles[2] = { 1., 1. };
   MesoWrap Wrap = MesoWrap::Repeat;
   double FacetsPerTexel = 1.;

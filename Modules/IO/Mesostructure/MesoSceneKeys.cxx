@@ -30,10 +30,9 @@ std::vector<MesoSceneKeyGroup> MakeTable()
       { "normal_map", "normal_map_y" } },
     { "lookup_table", { "name", "range" }, {} },
     { "mesostructure",
-      { "technique", "height_map", "depth_map", "range", "sample_spacing", "scale", "tiles", "wrap",
-        "quality", "quadric", "effects" },
-      { "relief_map", "volume", "tile_mesh", "baked", "reference", "search", "curved", "rank",
-        "segments" } },
+      { "technique", "height_map", "depth_map", "range", "sample_spacing", "scale", "reference",
+        "tiles", "wrap", "quality", "quadric", "effects" },
+      { "relief_map", "volume", "tile_mesh", "baked", "search", "curved", "rank", "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
   {

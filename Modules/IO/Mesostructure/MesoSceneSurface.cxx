@@ -259,6 +259,9 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("scale",
     [&](const MesoSceneValue& scale)
     { options.Scale = scale.ToNumber(MesoSceneRanges::NotNegative); });
+  value.With("reference",
+    [&](const MesoSceneValue& reference)
+    { options.Reference = reference.ToNumber(MesoSceneRanges::Fraction); });
   value.With("tiles",
     [&](const MesoSceneValue& tiles)
     { options.Tiles = tiles.ToNumbers<2>(MesoSceneRanges::Positive); });
@@ -300,8 +303,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   }
   if (MesoUsesHeightMap(options.Technique) && !value.Has("scale"))
   {
-    value.Fail(
-      "technique " + name + " needs scale, the depth of its deepest point in object units");
+    value.Fail("technique " + name + " needs scale, the height of its relief in object units");
   }
   value.With("range",
     [&](const MesoSceneValue& range)

@@ -12,6 +12,7 @@
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoImageReader.h"
 #include "vtkMesoMeshReader.h"
+#include "vtkMesoMovedMesh.h"
 #include "vtkMesoPatternSource.h"
 #include "vtkMesoQuadricFit.h"
 #include "vtkMesoReliefMapper.h"
@@ -91,6 +92,17 @@ void SetColorMap(const std::string& fileName, const MesoMesostructureOptions& op
     keys->Set(vtkProp::GeneralTextureTransform(), &(tiles->Element[0][0]), 16);
     actor->SetPropertyKeys(keys);
   }
+}
+
+/// A mirror turns the triangles' winding, by which front and back are told.
+vtkSmartPointer<vtkPolyData> Turned(vtkPolyData* mesh)
+{
+  vtkNew<vtkReverseSense> turn;
+  turn->SetInputData(mesh);
+  turn->ReverseCellsOn();
+  turn->ReverseNormalsOff();
+  turn->Update();
+  return turn->GetOutput();
 }
 
 std::array<double, 16> Multiply(
@@ -271,6 +283,15 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
   return frames->GetOutput();
 }
 
+vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Moved(const Object& object, const std::string& place)
+{
+  vtkNew<vtkMesoMovedMesh> moved;
+  moved->SetInputData(object.Base);
+  moved->SetDistance((1. - object.Options.Reference) * object.Options.Scale);
+  MesoRunAlgorithm(moved, place, this->Warnings);
+  return moved->GetOutput();
+}
+
 vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
   vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place)
 {
@@ -293,7 +314,7 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
   const MesoEffects effects = MesoEffectsOn(object.Options);
   if (effects.Empty())
   {
-    return object.Mesh;
+    return object.Base;
   }
   const MesoEffects ofGeometry = { MesoEffect::Occlusion, MesoEffect::Depth,
     MesoEffect::Silhouette };
@@ -304,9 +325,10 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
       "among its effects, or no effect at all");
   }
   vtkNew<vtkMesoDisplacedMesh> diced;
-  diced->SetInputData(object.Mesh);
+  diced->SetInputData(object.Base);
   diced->SetHeightMapData(object.HeightMap);
   diced->SetScale(object.Options.Scale);
+  diced->SetReference(object.Options.Reference);
   diced->SetTiles(object.Options.Tiles[0], object.Options.Tiles[1]);
   diced->SetWrap(object.Options.Wrap);
   diced->SetFacetsPerTexel(MesoFacetsPerTexel(object.Options.Quality));
@@ -343,14 +365,21 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       object.HeightMap = this->MakeHeightMap(*node.Map, inScene + ".mesostructure");
     }
-    object.Mesh = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
+    object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
         (node.Material.ColorBy && MesoColorNeedsFrames(*node.Material.ColorBy)));
     if (node.Material.ColorBy && !node.Material.ColorBy->IsHeight())
     {
-      object.Mesh = MesoWithColorArray(
-        object.Mesh, *node.Material.ColorBy, inScene + ".material.color_by", this->Warnings);
+      object.Base = MesoWithColorArray(
+        object.Base, *node.Material.ColorBy, inScene + ".material.color_by", this->Warnings);
     }
+    vtkNew<vtkMatrix4x4> userMatrix;
+    userMatrix->DeepCopy(matrix.data());
+    if (userMatrix->Determinant() < 0.)
+    {
+      object.Base = Turned(object.Base);
+    }
+    object.Mesh = object.Base;
     const MesoTechnique technique = node.Mesostructure.Technique;
     if (MesoUsesHeightMap(technique) && node.Mesostructure.Scale == 0.)
     {
@@ -358,6 +387,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     }
     if (technique == MesoTechnique::Relief || technique == MesoTechnique::ReliefQuadric)
     {
+      if (node.Mesostructure.Reference != 1. && !MesoEffectsOn(node.Mesostructure).Empty())
+      {
+        object.Mesh = this->Moved(object, inScene + ".mesh");
+      }
       if (MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Curvature))
       {
         object.Mesh =
@@ -374,18 +407,6 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     else
     {
       object.Mapper = vtkSmartPointer<vtkMesoPolyDataMapper>::New();
-    }
-    vtkNew<vtkMatrix4x4> userMatrix;
-    userMatrix->DeepCopy(matrix.data());
-    if (userMatrix->Determinant() < 0.)
-    {
-      // A mirror turns the triangles' winding, by which front and back are told.
-      vtkNew<vtkReverseSense> turn;
-      turn->SetInputData(object.Mesh);
-      turn->ReverseCellsOn();
-      turn->ReverseNormalsOff();
-      turn->Update();
-      object.Mesh = turn->GetOutput();
     }
     object.Mapper->SetOptions(node.Mesostructure);
     object.Mapper->SetInputData(technique == MesoTechnique::Tessellated

@@ -33,7 +33,8 @@ public:
     std::string Name;
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
-    vtkSmartPointer<vtkPolyData> Mesh;       ///< the base, with its frames
+    vtkSmartPointer<vtkPolyData> Base;       ///< with its frames
+    vtkSmartPointer<vtkPolyData> Mesh;       ///< the base where height 1 lies: p + (1 - r) D n
     vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
     MesoMesostructureOptions Options;
   };
@@ -53,6 +54,8 @@ private:
   vtkSmartPointer<vtkImageData> MakeHeightMap(const MesoSceneMap& map, const std::string& place);
   vtkSmartPointer<vtkPolyData> MakeMesh(
     const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);
+  /// The base moved outward to where height 1 lies, with frames fitted there.
+  vtkSmartPointer<vtkPolyData> Moved(const Object& object, const std::string& place);
   vtkSmartPointer<vtkPolyData> WithQuadrics(
     vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
 

@@ -13,6 +13,9 @@
  *   around each fragment. Rays that come back to the surface are not drawn, so that the outline is
  *   that of the detail.
  *
+ * The mesh that is drawn is where height 1 lies. For relief that rises above a mesh (Reference of
+ * the options below 1) it is that mesh moved outward, by vtkMesoMovedMesh.
+ *
  * The search steps linearly and then halves (MesoStepsOfQuality): detail thinner than a step can be
  * missed.
  *
@@ -22,7 +25,7 @@
  * I3D 2005; Oliveira, Policarpo, "An Efficient Representation for Surface Details", 2005, section
  * 2.1 and, for ReliefQuadric, sections 3.2 to 3.5.
  *
- * @sa vtkMesoPolyDataMapper, vtkMesoSurfaceFrames, vtkMesoQuadricFit
+ * @sa vtkMesoPolyDataMapper, vtkMesoSurfaceFrames, vtkMesoMovedMesh, vtkMesoQuadricFit
  */
 
 #ifndef vtkMesoReliefMapper_h

@@ -47,6 +47,7 @@ MesoReferenceSurface::MesoReferenceSurface(
   , Displaced(object.HeightMap && object.Options.Technique != MesoTechnique::Plain)
   , TwoSided(!object.Actor->GetProperty()->GetBackfaceCulling())
   , Scale(this->Displaced ? object.Options.Scale : 0.)
+  , Reference(object.Options.Reference)
   , Tiles(object.Options.Tiles[0], object.Options.Tiles[1])
 {
   vtkMatrix4x4* matrix = object.Actor->GetUserMatrix();
@@ -70,7 +71,7 @@ MesoReferenceSurface::MesoReferenceSurface(
   {
     this->Map = MakePyramid(object.HeightMap, object.Options.Wrap);
   }
-  this->ReadMesh(object.Mesh, object.Options);
+  this->ReadMesh(object.Base, object.Options);
   if (smooth)
   {
     this->FindShape(source);
@@ -215,10 +216,17 @@ MesoShapePatch MesoReferenceSurface::ShapePatch(std::size_t number) const
     1. / size.x, 1. / size.y };
 }
 
+MesoDisplacement MesoReferenceSurface::DrawnBase() const
+{
+  MesoDisplacement base;
+  base.Scale = this->Scale;
+  base.Reference = this->Reference;
+  return base;
+}
+
 MesoDisplacement MesoReferenceSurface::Over(std::size_t patch) const
 {
-  MesoDisplacement over;
-  over.Scale = this->Scale;
+  MesoDisplacement over = this->DrawnBase();
   if (this->Shape || !this->Map || this->HasChart(patch))
   {
     over.Map = this->Map.get();
@@ -259,8 +267,9 @@ MesoBox MesoReferenceSurface::BoundsOf(std::size_t patch) const
         low = range.Low;
         high = range.High;
       }
-      box = base.Bounds(this->Matrix, std::min(0., (low - over.Reference) * over.Scale),
-        std::max(0., (high - over.Reference) * over.Scale));
+      const double drawn = (1. - over.Reference) * over.Scale;
+      box = base.Bounds(this->Matrix, std::min(drawn, (low - over.Reference) * over.Scale),
+        std::max(drawn, (high - over.Reference) * over.Scale));
     });
   return box;
 }
@@ -332,7 +341,7 @@ MesoReferencePoint MesoReferenceSurface::Describe(
       const MesoBasePoint base = patch.At(hit.X, hit.Y);
       const bool mapped = over.Map && !hit.OnBase;
       const bool displaced = this->Displaced && !hit.OnBase;
-      double height = displaced ? over.Height : over.Reference;
+      double height = displaced ? over.Height : 1.;
       glm::dvec2 slope(0.); // of the bilinear patch, per texel
       glm::dvec2 shadingSlope(0.);
       if (mapped)

@@ -7,7 +7,7 @@
  *
  * The base is the node's mesh, with p linear and n normalised-linear in each triangle, or, where
  * the base is to be smooth, the closed form of its built-in shape, cut into as many rectangles as
- * the mesh has. Displaced: q = p + (h - 1) D n. Not displaced (`plain`): q = p.
+ * the mesh has. Displaced: q = p + (h - r) D n. Not displaced (`plain`): q = p.
  *
  * A displaced triangle whose texture coordinates span no area, are not finite or beyond 1e12 texels, has no way to lay
  * the map over it: it is displaced evenly, by the height at its middle, or not at all, and counted.
@@ -59,6 +59,9 @@ public:
   template <typename Function>
   void WithPatch(std::size_t number, Function&& function) const;
 
+  /// The base as a technique rasterises it: where height 1 lies, p + (1 - r) D n.
+  MesoDisplacement DrawnBase() const;
+
   /// A box in world space around the patch's surface and its base.
   MesoBox BoundsOf(std::size_t patch) const;
 
@@ -96,6 +99,7 @@ private:
   bool Displaced = false;
   bool TwoSided = false;
   double Scale = 0.;
+  double Reference = 1.;
   glm::dvec2 Tiles = glm::dvec2(1.);
   glm::dmat4 Matrix = glm::dmat4(1.);
   glm::dmat4 Inverse = glm::dmat4(1.);

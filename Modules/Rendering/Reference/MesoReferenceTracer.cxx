@@ -88,11 +88,10 @@ public:
     surface.WithPatch(primitive,
       [&](const MesoBasePatch& patch, const MesoDisplacement& over)
       {
-        const MesoDisplacement none;
         switch (this->What)
         {
           case Kind::BaseFront:
-            this->Solve(geometry, primitive, patch, none, MesoFacing::Front);
+            this->Solve(geometry, primitive, patch, surface.DrawnBase(), MesoFacing::Front);
             return;
           case Kind::BaseBack:
             this->SolveBack(geometry, primitive, patch);
@@ -151,7 +150,7 @@ private:
     const MesoReferenceSurface& surface = *this->Tracer.Surfaces[geometry];
     if (surface.IsTwoSided() && surface.IsDisplaced() && geometry != this->From)
     {
-      this->Solve(geometry, primitive, patch, MesoDisplacement(), MesoFacing::Back, true);
+      this->Solve(geometry, primitive, patch, surface.DrawnBase(), MesoFacing::Back, true);
     }
   }
 
