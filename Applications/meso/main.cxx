@@ -1,6 +1,7 @@
 // meso: dispatches to one command a verb.
 // Exit: 0 on success, 1 on a failed job, 2 on wrong usage.
 
+#include "CommandBake.h"
 #include "CommandBench.h"
 #include "CommandCompare.h"
 #include "CommandReference.h"
@@ -19,11 +20,13 @@ int main(int argc, char* argv[])
   app.require_subcommand(0, 1); // so that a mistyped command is named: see below
   app.footer("Example: meso render scene.json -o scene.png\n"
              "Each command has its own help: meso render --help");
+  CommandBake bake(app);
   CommandBench bench(app);
   CommandCompare compare(app);
   CommandRender render(app);
   CommandReference reference(app);
   const std::map<std::string, std::function<int()>> commands = {
+    { "bake", [&] { return bake.Run(); } },
     { "bench", [&] { return bench.Run(); } },
     { "compare", [&] { return compare.Run(); } },
     { "reference", [&] { return reference.Run(); } },

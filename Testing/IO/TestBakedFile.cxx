@@ -15,7 +15,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cinttypes>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <random>
 
@@ -153,8 +156,43 @@ TEST(MesoBakedFile, RefusesWhatIsNotOne)
     ReasonNotToRead(folder.PathOf("plain.vti")).find("is no baked file"), std::string::npos);
 
   MesoWriteBaked(folder.PathOf("x.vti"), SmallTable());
-  EXPECT_NE(ReasonNotToRead(folder.PathOf("x.vti"), "cone").find("holds a baked horizon, not a cone"),
+  EXPECT_NE(
+    ReasonNotToRead(folder.PathOf("x.vti"), "cone").find("holds a baked horizon, not a cone"),
     std::string::npos);
+}
+
+TEST(MesoBakedFile, RefusesAnotherFormatAndAChangedValue)
+{
+  const TemporaryFolder folder;
+  const auto changed = [&](const char* array, double value)
+  {
+    MesoWriteBaked(folder.PathOf("x.vti"), SmallTable());
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(folder.PathOf("x.vti").c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    vtkDataArray* numbers = image->GetFieldData()->GetArray(array);
+    (numbers ? numbers : image->GetPointData()->GetArray(array))->SetComponent(0, 0, value);
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetInputData(image);
+    writer->SetFileName(folder.PathOf("y.vti").c_str());
+    writer->Write();
+    // Sealed as if all were well: 64-bit FNV-1a.
+    std::string bytes = BytesOf(folder.PathOf("y.vti"));
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char byte : bytes)
+    {
+      hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+    }
+    char seal[64];
+    std::snprintf(seal, sizeof(seal), "<!-- meso %016" PRIx64 " -->\n", hash);
+    return ReasonNotToRead(folder.Write("z.vti", bytes + seal));
+  };
+  EXPECT_EQ(changed("meso.format", 1.), "") << "the same contents";
+  EXPECT_NE(changed("meso.format", 2.).find("is of format 2"), std::string::npos);
+  EXPECT_NE(changed("Angle", 0.5).find("checksum"), std::string::npos);
+  EXPECT_NE(changed("Weights", 3.5).find("checksum"), std::string::npos);
+  EXPECT_NE(changed("meso.parameter.depth", 0.2).find("checksum"), std::string::npos);
 }
 
 TEST(MesoBakedFile, RefusesATruncatedFile)

@@ -125,8 +125,7 @@ std::string TextOf(vtkFieldData* data, const std::string& name)
   return array && array->GetNumberOfValues() == 1 ? std::string(array->GetValue(0)) : std::string();
 }
 
-void AddParameter(
-  vtkFieldData* data, const std::string& name, const MesoBakedParameter& parameter)
+void AddParameter(vtkFieldData* data, const std::string& name, const MesoBakedParameter& parameter)
 {
   if (const auto* text = std::get_if<std::string>(&parameter))
   {

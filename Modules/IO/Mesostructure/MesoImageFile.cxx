@@ -1,5 +1,6 @@
 #include "MesoImageFile.h"
 
+#include "MesoAtomicFile.h"
 #include "MesoMessage.h"
 #include "MesoScene.h" // for MesoInputError
 
@@ -69,6 +70,29 @@ std::string Problem(const OIIO::ImageSpec& spec, const MesoImageHeader& header)
     return "takes more than 4 GiB in memory";
   }
   return {};
+}
+
+TypeDesc TypeOf(MesoImageHeader::Type type)
+{
+  return type == MesoImageHeader::Type::UnsignedChar ? TypeDesc::UINT8
+    : type == MesoImageHeader::Type::UnsignedShort   ? TypeDesc::UINT16
+                                                     : TypeDesc::FLOAT;
+}
+
+/// Writes in place. What went wrong, or an empty string.
+std::string Encode(
+  const std::string& fileName, const std::string& format, OIIO::ImageSpec spec, const float* data)
+{
+  const auto output = OIIO::ImageOutput::create(format);
+  if (!output)
+  {
+    return Reason(OIIO::geterror());
+  }
+  // Without one OpenImageIO writes the time of day, and no two files are the same.
+  spec.attribute("DateTime", "");
+  const bool isWritten =
+    output->open(fileName, spec) && output->write_image(TypeDesc::FLOAT, data) && output->close();
+  return isWritten ? std::string() : Reason(output->geterror());
 }
 
 MesoImageHeader HeaderOf(const OIIO::ImageSpec& spec)
@@ -163,17 +187,14 @@ MesoImageInput::~MesoImageInput() = default;
 void MesoImageInput::Read(void* pixels, RowOrder order)
 {
   const auto& header = this->Description;
-  const TypeDesc type = header.ValueType == MesoImageHeader::Type::UnsignedChar ? TypeDesc::UINT8
-    : header.ValueType == MesoImageHeader::Type::UnsignedShort                  ? TypeDesc::UINT16
-                                                                                : TypeDesc::FLOAT;
   const auto pixelBytes =
     static_cast<OIIO::stride_t>(header.ChannelNames.size() * header.BytesPerValue());
   const OIIO::stride_t rowBytes = pixelBytes * header.Width;
   const bool isFlipped = order == RowOrder::BottomFirst;
   auto* first = static_cast<char*>(pixels) + (isFlipped ? rowBytes * (header.Height - 1) : 0);
   auto& input = *this->Implementation->Input;
-  const bool isRead = input.read_image(0, 0, 0, static_cast<int>(header.ChannelNames.size()), type,
-    first, pixelBytes, isFlipped ? -rowBytes : rowBytes);
+  const bool isRead = input.read_image(0, 0, 0, static_cast<int>(header.ChannelNames.size()),
+    TypeOf(header.ValueType), first, pixelBytes, isFlipped ? -rowBytes : rowBytes);
   // A truncated JPEG or DDS file is "read", with grey for what is missing, and an error beside it.
   if (!isRead || input.has_error())
   {
@@ -185,16 +206,9 @@ std::string MesoEncodeExr(const std::string& fileName, int width, int height,
   const std::vector<std::string>& channelNames, const float* data,
   const std::map<std::string, MesoImageAttribute>& attributes)
 {
-  const auto output = OIIO::ImageOutput::create("exr");
-  if (!output)
-  {
-    return Reason(OIIO::geterror());
-  }
   OIIO::ImageSpec spec(width, height, static_cast<int>(channelNames.size()), TypeDesc::FLOAT);
   spec.channelnames = channelNames;
   spec.attribute("compression", "zip");
-  // Without one OpenImageIO writes the time of day, and no two files are the same.
-  spec.attribute("DateTime", "");
   for (const auto& [name, value] : attributes)
   {
     if (const auto* text = std::get_if<std::string>(&value))
@@ -206,7 +220,33 @@ std::string MesoEncodeExr(const std::string& fileName, int width, int height,
       spec.attribute(name, TypeDesc::DOUBLE, std::get_if<double>(&value));
     }
   }
-  const bool isWritten =
-    output->open(fileName, spec) && output->write_image(TypeDesc::FLOAT, data) && output->close();
-  return isWritten ? std::string() : Reason(output->geterror());
+  return Encode(fileName, "exr", spec, data);
+}
+
+void MesoWriteImage(const std::string& fileName, int width, int height, int channels,
+  MesoImageHeader::Type type, const float* data)
+{
+  using Type = MesoImageHeader::Type;
+  const std::string extension = std::filesystem::path(fileName).extension().string();
+  const bool isTiff = extension == ".tif" || extension == ".tiff";
+  if (!isTiff && extension != (type == Type::Float ? ".exr" : ".png"))
+  {
+    throw MesoInputError(fileName + ": cannot be written: " +
+      (type == Type::Float ? "float values go to .exr or .tif"
+                           : "values of 8 or 16 bit go to .png or .tif"));
+  }
+  const auto isSide = [](int side) { return side >= 1 && side <= MesoImageLargestSide; };
+  if (!isSide(width) || !isSide(height) || channels < 1 || channels > 4)
+  {
+    throw MesoInputError(fileName + ": cannot be written with " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels of " + std::to_string(channels) + " channels");
+  }
+  const OIIO::ImageSpec spec(width, height, channels, TypeOf(type));
+  MesoAtomicFile atomic(fileName);
+  const std::string problem = Encode(atomic.TemporaryName(), extension.substr(1), spec, data);
+  if (!problem.empty())
+  {
+    throw MesoInputError(fileName + ": cannot be written: " + problem);
+  }
+  atomic.Commit();
 }

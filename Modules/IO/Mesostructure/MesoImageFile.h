@@ -91,4 +91,17 @@ std::string MesoEncodeExr(const std::string& fileName, int width, int height,
   const std::vector<std::string>& channelNames, const float* data,
   const std::map<std::string, MesoImageAttribute>& attributes);
 
+/**
+ * Writes an image, whole or not at all: PNG (8 or 16 bit), TIFF (either, or float) or OpenEXR (float),
+ * as the name ends. The same arguments give the same bytes.
+ *
+ * @param width,height 1 to MesoImageLargestSide
+ * @param channels 1 (grey) to 4
+ * @param data width * height * channels values, interleaved, the top row first; [0,1] stands for
+ *   what the integers hold, and what is beyond is cut off
+ * Throws MesoInputError "file: reason".
+ */
+MESOIOMESOSTRUCTURE_EXPORT void MesoWriteImage(const std::string& fileName, int width, int height,
+  int channels, MesoImageHeader::Type type, const float* data);
+
 #endif

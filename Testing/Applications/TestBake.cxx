@@ -1,0 +1,135 @@
+// `meso bake`: what each kind writes, and what is refused.
+
+#include "MesoExr.h"
+#include "MesoImageFile.h"
+#include "RunMeso.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+/// Bakes in a folder where ramp.png rises from 0 at the left to 1 at the right, 8 x 4 texels.
+class BakeFolder
+{
+public:
+  BakeFolder()
+  {
+    std::vector<float> heights;
+    for (int i = 0; i < 8 * 4; ++i)
+    {
+      heights.push_back(static_cast<float>(i % 8) / 7.f);
+    }
+    MesoWriteImage(
+      this->PathOf("ramp.png"), 8, 4, 1, MesoImageHeader::Type::UnsignedShort, heights.data());
+  }
+
+  std::string PathOf(const std::string& name) const { return this->Folder.PathOf(name); }
+  std::size_t NumberOfFiles() const { return this->Folder.Names().size(); }
+
+  MesoRun Bake(const std::string& kind, const std::string& output,
+    const std::vector<std::string>& options = {}) const
+  {
+    std::vector<std::string> arguments = { "bake", kind, this->PathOf("ramp.png"), "-o",
+      this->PathOf(output) };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunMeso(arguments);
+  }
+
+private:
+  TemporaryFolder Folder;
+};
+
+void ExpectRefused(const MesoRun& run, int code, const std::string& part)
+{
+  EXPECT_EQ(run.ExitCode, code);
+  EXPECT_EQ(std::count(run.Messages.begin(), run.Messages.end(), '\n'), 1) << run.Messages;
+  EXPECT_NE(run.Messages.find(part), std::string::npos) << part << "\nis not in\n" << run.Messages;
+}
+}
+
+TEST(MesoBake, NormalIsThatOfTheRampInEveryPrecision)
+{
+  const BakeFolder folder;
+  // A rise of 8/7 over a tile of 2, 0.7 deep: slope 0.4.
+  const std::vector<std::string> options = { "--scale", "0.7", "--tile-size", "2,1" };
+  const double x = -0.4 / std::sqrt(1.16);
+  const double z = 1. / std::sqrt(1.16);
+  const auto with = [&](std::vector<std::string> more)
+  {
+    more.insert(more.end(), options.begin(), options.end());
+    return more;
+  };
+  EXPECT_EQ(folder.Bake("normal", "n.exr", with({ "--bits", "32" })).ExitCode, 0);
+  const MesoExrImage image = MesoReadExr(folder.PathOf("n.exr"), { "R", "G", "B" });
+  ASSERT_EQ(image.Width, 8);
+  ASSERT_EQ(image.Height, 4);
+  EXPECT_NEAR(2. * image.At(3, 1, 0) - 1., x, 2e-5); // of a map of 16 bits
+  EXPECT_NEAR(image.At(3, 1, 1), 0.5, 1e-6);
+  EXPECT_NEAR(2. * image.At(3, 1, 2) - 1., z, 2e-5);
+
+  for (const int bits : { 8, 16 })
+  {
+    const MesoRun run = folder.Bake("normal", "n.png", with({ "--bits", std::to_string(bits) }));
+    EXPECT_EQ(run.ExitCode, 0);
+    EXPECT_EQ(run.Messages, "");
+    MesoImageInput input(folder.PathOf("n.png"));
+    ASSERT_EQ(input.Header().NumberOfValues(), 8u * 4 * 3);
+    ASSERT_EQ(input.Header().BytesPerValue(), bits / 8u);
+    std::vector<unsigned short> values(8 * 4 * 3);
+    input.Read(values.data(), MesoImageInput::RowOrder::TopFirst);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+    const double most = std::ldexp(1., bits) - 1.;
+    const double red = bits == 8 ? bytes[(8 + 3) * 3] : values[(8 + 3) * 3];
+    EXPECT_NEAR(red, (0.5 * x + 0.5) * most, bits == 8 ? 0.51 : 1.5) << bits;
+  }
+}
+
+TEST(MesoBake, NormalTurnsItsGreen)
+{
+  const BakeFolder folder;
+  // Stored the other way up, so that it rises along v.
+  MesoWriteImage(folder.PathOf("ramp.png"), 1, 2, 1, MesoImageHeader::Type::UnsignedChar,
+    std::vector<float>{ 1.f, 0.f }.data());
+  const auto green = [&](const std::string& y, const char* wrap)
+  {
+    EXPECT_EQ(
+      folder.Bake("normal", "n.exr", { "--bits", "32", "--y", y, "--wrap", wrap }).ExitCode, 0);
+    return MesoReadExr(folder.PathOf("n.exr"), { "G" }).At(0, 0, 0);
+  };
+  EXPECT_LT(green("up", "clamp"), 0.49f);
+  EXPECT_FLOAT_EQ(green("down", "clamp"), 1.f - green("up", "clamp"));
+  EXPECT_FLOAT_EQ(green("up", "repeat"), 0.5f); // up and down again
+}
+
+TEST(MesoBake, StatsSayWhatItTook)
+{
+  const BakeFolder folder;
+  EXPECT_EQ(folder.Bake("normal", "n.png", { "--stats", folder.PathOf("s.json") }).ExitCode, 0);
+  std::ifstream file(folder.PathOf("s.json"));
+  const auto stats = nlohmann::json::parse(file);
+  EXPECT_EQ(stats["kind"], "normal");
+  EXPECT_EQ(stats["size"], nlohmann::json({ 8, 4, 1 }));
+  EXPECT_GT(stats["bake_s"], 0.);
+  EXPECT_GT(stats["peak_memory_bytes"], 1000000);
+}
+
+TEST(MesoBake, RefusesWhatMakesNoSense)
+{
+  const BakeFolder folder;
+  ExpectRefused(RunMeso({ "bake" }), 2, "A kind of bake is required");
+  ExpectRefused(RunMeso({ "bake", "cake" }), 2, "cake");
+  ExpectRefused(folder.Bake("normal", "n.png", { "--range", "2,1" }), 2, "--range: '2,1'");
+  ExpectRefused(folder.Bake("normal", "n.png", { "--wrap", "round" }), 2, "repeat, clamp, mirror");
+  ExpectRefused(folder.Bake("normal", "n.png", { "--tile-size", "1,0" }), 2, "--tile-size: '1,0'");
+  ExpectRefused(folder.Bake("normal", "n.png", { "--bits", "12" }), 2, "--bits");
+  ExpectRefused(folder.Bake("normal", "n.png", { "--bits", "32" }), 1, ".exr or .tif");
+  ExpectRefused(folder.Bake("normal", "n.jpg"), 1, ".png or .tif");
+  ExpectRefused(folder.Bake("normal", "ramp.png"), 1, "is read, so a result cannot go to it");
+  ExpectRefused(folder.Bake("normal", "none/n.png"), 1, "there is no folder");
+  EXPECT_EQ(folder.NumberOfFiles(), 1u);
+}
