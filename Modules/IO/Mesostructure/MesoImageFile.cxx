@@ -1,6 +1,7 @@
 #include "MesoImageFile.h"
 
 #include "MesoAtomicFile.h"
+#include "MesoFileBytes.h"
 #include "MesoMessage.h"
 #include "MesoScene.h" // for MesoInputError
 
@@ -145,11 +146,7 @@ MesoImageInput::MesoImageInput(const std::string& fileName)
   : FileName(fileName)
   , Implementation(new File)
 {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(fileName, error))
-  {
-    throw MesoInputError(fileName + ": there is no such file");
-  }
+  MesoCheckIsFile(fileName);
   OIIO::ImageSpec wanted;
   wanted.attribute("oiio:UnassociatedAlpha", 1); // the file's colors, not those times alpha
   wanted.attribute("oiio:RawColor", 1);

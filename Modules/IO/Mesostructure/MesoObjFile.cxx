@@ -2,19 +2,15 @@
 
 #include "MesoMessage.h"
 #include "MesoScene.h" // for MesoInputError
+#include "MesoTextWords.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string_view>
 
 namespace
 {
-constexpr double LargestNumber = 1e30;
-
 // What the OBJ specification has beside v, vt, vn and f.
 constexpr std::string_view PassedOver[] = { "g", "o", "s", "mg", "usemtl", "mtllib", "usemap",
   "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech",
@@ -29,12 +25,6 @@ bool Contains(const std::string_view (&words)[N], std::string_view word)
   return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-bool IsBlank(char character)
-{
-  return character == ' ' || character == '\t' || character == '\r' || character == '\v' ||
-    character == '\f';
-}
-
 class Scanner
 {
 public:
@@ -43,7 +33,7 @@ public:
   {
   }
 
-  MesoObjFile Scan(const std::string& text)
+  MesoMeshFile Scan(const std::string& text)
   {
     const char* position = text.data();
     const char* const end = position + text.size();
@@ -110,27 +100,9 @@ private:
     return end > begin && end[-1] == '\r' ? end - 1 : end;
   }
 
-  /// Takes the next word off `rest`; empty at the line's end or at a comment.
-  static std::string_view NextWord(std::string_view& rest)
-  {
-    std::size_t begin = 0;
-    while (begin < rest.size() && IsBlank(rest[begin]))
-    {
-      ++begin;
-    }
-    std::size_t end = begin;
-    while (end < rest.size() && !IsBlank(rest[end]) && rest[end] != '#')
-    {
-      ++end;
-    }
-    const std::string_view word = rest.substr(begin, end - begin);
-    rest.remove_prefix(word.empty() ? rest.size() : end);
-    return word;
-  }
-
   void ScanLine(std::string_view rest)
   {
-    const std::string_view keyword = NextWord(rest);
+    const std::string_view keyword = MesoNextWord(rest);
     if (keyword.empty())
     {
       return;
@@ -163,7 +135,7 @@ private:
     std::array<double, N> numbers{};
     for (std::size_t i = 0; i < N; ++i)
     {
-      const std::string_view word = NextWord(rest);
+      const std::string_view word = MesoNextWord(rest);
       if (word.empty())
       {
         if (i < least)
@@ -173,51 +145,35 @@ private:
         }
         break;
       }
-      const std::string_view digits = word[0] == '+' ? word.substr(1) : word;
-      const auto [stop, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), numbers[i]);
-      if (stop != digits.data() + digits.size() || error == std::errc::invalid_argument)
+      const std::string problem = MesoReadNumber(word, numbers[i]);
+      if (!problem.empty())
       {
-        this->Fail("\"" + std::string(word.substr(0, 40)) + "\" is not a number");
-      }
-      // A number too small for a double is as good as 0, which from_chars leaves there.
-      const bool isTooLarge = error == std::errc::result_out_of_range && !IsTiny(digits);
-      if (isTooLarge || !(std::abs(numbers[i]) <= LargestNumber))
-      {
-        this->Fail("\"" + std::string(word.substr(0, 40)) + "\" is not finite or beyond 1e30");
+        this->Fail(problem);
       }
     }
     return numbers;
   }
 
-  static bool IsTiny(std::string_view digits)
-  {
-    const std::size_t exponent = digits.find_first_of("eE");
-    return exponent != std::string_view::npos ? digits.substr(exponent + 1, 1) == "-"
-                                              : digits.find("0.") <= 1;
-  }
-
   void ScanFace(std::string_view rest)
   {
     std::size_t corners = 0;
-    for (std::string_view word = NextWord(rest); !word.empty(); word = NextWord(rest))
+    for (std::string_view word = MesoNextWord(rest); !word.empty(); word = MesoNextWord(rest))
     {
       this->File.Corners.push_back(this->Corner(word));
       ++corners;
-      if (corners > MesoObjMostCorners)
+      if (corners > MesoMeshMostCorners)
       {
-        this->Fail("face has more than " + std::to_string(MesoObjMostCorners) + " corners");
+        this->Fail("face has more than " + std::to_string(MesoMeshMostCorners) + " corners");
       }
     }
     if (corners < 3)
     {
       this->Fail("face has " + std::to_string(corners) + " corners, fewer than 3");
     }
-    this->File.FirstCorner.push_back(this->File.Corners.size());
-    this->File.FaceLine.push_back(this->Line);
+    this->File.CloseFace(this->Line);
   }
 
-  MesoObjCorner Corner(std::string_view word)
+  MesoMeshCorner Corner(std::string_view word)
   {
     std::string_view parts[3];
     std::string_view rest = word;
@@ -226,7 +182,7 @@ private:
     {
       if (count == 3)
       {
-        this->Fail("\"" + std::string(word.substr(0, 40)) + "\" is not a corner of a face");
+        this->Fail(MesoQuoted(word) + " is not a corner of a face");
       }
       const std::size_t slash = rest.find('/');
       parts[count] = rest.substr(0, slash);
@@ -238,7 +194,7 @@ private:
     }
     if (parts[0].empty())
     {
-      this->Fail("\"" + std::string(word.substr(0, 40)) + "\" names no vertex");
+      this->Fail(MesoQuoted(word) + " names no vertex");
     }
     return { this->Index(parts[0], Position, this->File.Positions.size()),
       this->Index(parts[1], TextureCoordinate, this->File.TextureCoordinates.size()),
@@ -255,7 +211,7 @@ private:
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (stop != word.data() + word.size() || error == std::errc::invalid_argument)
     {
-      this->Fail("\"" + std::string(word.substr(0, 40)) + "\" is not an index");
+      this->Fail(MesoQuoted(word) + " is not an index");
     }
     const auto count = static_cast<std::int64_t>(countSoFar);
     const std::int64_t number = index < 0 ? count + index : index - 1;
@@ -284,7 +240,7 @@ private:
       keyword.begin(), keyword.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
     if (!isWord || !std::isalpha(static_cast<unsigned char>(keyword[0])))
     {
-      this->Fail("\"" + std::string(keyword.substr(0, 40)) + "\" is not an OBJ keyword");
+      this->Fail(MesoQuoted(keyword) + " is not an OBJ keyword");
     }
     Others& others = Contains(OtherElements, keyword) ? this->Elements : this->Unknown;
     if (others.Count++ == 0)
@@ -332,7 +288,7 @@ private:
   };
 
   const std::string& FileName;
-  MesoObjFile File;
+  MesoMeshFile File;
   std::size_t Line = 0;
   std::vector<LateIndex> LateIndices;
   Others Elements;
@@ -340,28 +296,7 @@ private:
 };
 }
 
-MesoObjFile MesoReadObj(const std::string& fileName)
-{
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(fileName, error))
-  {
-    throw MesoInputError(fileName + ": there is no such file");
-  }
-  const std::uintmax_t size = std::filesystem::file_size(fileName, error);
-  if (error || size > MesoObjLargestFile)
-  {
-    throw MesoInputError(fileName + ": is larger than a mesh file may be (2 GiB)");
-  }
-  std::string text(size, '\0');
-  std::ifstream file(fileName, std::ios::binary);
-  if (!file.read(text.data(), static_cast<std::streamsize>(size)))
-  {
-    throw MesoInputError(fileName + ": cannot be read");
-  }
-  return MesoParseObj(text, fileName);
-}
-
-MesoObjFile MesoParseObj(const std::string& text, const std::string& fileName)
+MesoMeshFile MesoParseObj(const std::string& text, const std::string& fileName)
 {
   if (text.empty())
   {

@@ -1,13 +1,12 @@
 #include "MesoScene.h"
 
+#include "MesoFileBytes.h"
 #include "MesoMessage.h"
 #include "MesoSceneSurface.h"
 #include "MesoSceneValue.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 namespace
 {
@@ -310,21 +309,7 @@ MesoScene ParseScene(const std::string& text, const MesoSceneSource& source)
 
 MesoScene MesoReadScene(const std::string& fileName)
 {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(fileName, error))
-  {
-    throw MesoInputError(fileName + ": there is no such file");
-  }
-  if (std::filesystem::file_size(fileName, error) > LargestFile)
-  {
-    throw MesoInputError(fileName + ": is larger than a scene file may be (64 MiB)");
-  }
-  std::ifstream file(fileName, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file)
-  {
-    throw MesoInputError(fileName + ": cannot be read");
-  }
+  const std::string text = MesoReadBytes(fileName, LargestFile, "a scene file");
   return ParseScene(text, { fileName, true });
 }
 

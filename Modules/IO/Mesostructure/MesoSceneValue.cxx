@@ -1,5 +1,6 @@
 #include "MesoSceneValue.h"
 
+#include "MesoFileBytes.h"
 #include "MesoMessage.h"
 
 #include <algorithm>
@@ -117,10 +118,10 @@ std::string MesoSceneValue::ToFileName() const
   namespace fs = std::filesystem;
   const fs::path given = this->ToText();
   const fs::path resolved = fs::path(this->Source->FileName).parent_path() / given;
-  std::error_code error;
-  if (this->Source->FilesMustExist && !fs::is_regular_file(resolved, error))
+  const std::string reason = this->Source->FilesMustExist ? MesoWhyNoFile(resolved.string()) : "";
+  if (!reason.empty())
   {
-    this->Fail("there is no file \"" + MesoPrintable(resolved.string()) + "\"");
+    this->Fail("\"" + MesoPrintable(resolved.string()) + "\": " + reason);
   }
   return resolved.string();
 }
@@ -145,6 +146,21 @@ std::vector<MesoSceneValue> MesoSceneValue::ToList(std::size_t count) const
     list.emplace_back(elements[i], this->Place + "[" + std::to_string(i) + "]", *this->Source);
   }
   return list;
+}
+
+std::size_t MesoSceneValue::ToCount() const
+{
+  if (this->Value->Type != Kind::Array)
+  {
+    this->FailType("a list");
+  }
+  return this->Value->Elements.size();
+}
+
+MesoSceneValue MesoSceneValue::ElementAt(std::size_t number) const
+{
+  return MesoSceneValue(
+    this->Value->Elements[number], this->Place + "[" + std::to_string(number) + "]", *this->Source);
 }
 
 MesoVector3 MesoSceneValue::ToDirection() const

@@ -65,6 +65,10 @@ public:
   std::string ToFileName() const;
   /// Elements of a list; `count` of them if that is not 0.
   std::vector<MesoSceneValue> ToList(std::size_t count = 0) const;
+  /// The number of elements of a list.
+  std::size_t ToCount() const;
+  /// The element of a list with that number, which is less than ToCount().
+  MesoSceneValue ElementAt(std::size_t number) const;
 
   template <std::size_t N>
   std::array<double, N> ToNumbers(const MesoSceneRange& range = {}) const

@@ -1,7 +1,7 @@
 #include "vtkMesoMeshReader.h"
 
-#include "MesoMessage.h"
-#include "MesoObjSurface.h"
+#include "MesoMeshFormats.h"
+#include "MesoMeshSurface.h"
 #include "MesoScene.h" // for MesoInputError
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -19,7 +19,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <new>
 
@@ -87,31 +86,27 @@ vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::array<std::int32_
   return cells;
 }
 
-std::string ExtensionOf(const std::string& fileName)
+/// The file's further point arrays at the points that its positions became.
+void AddFileArrays(const MesoMeshFile& file, const MesoMeshSurface& surface, vtkPointData* target)
 {
-  const std::size_t dot = fileName.find_last_of("./");
-  std::string extension =
-    dot == std::string::npos || fileName[dot] == '/' ? "" : fileName.substr(dot);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-void CheckExtension(const std::string& fileName)
-{
-  const std::string extension = ExtensionOf(fileName);
-  if (extension == ".obj")
+  if (!file.PointData)
   {
     return;
   }
-  for (const char* later : { ".ply", ".stl", ".off", ".vtp", ".gltf", ".glb" })
+  const auto count = static_cast<vtkIdType>(surface.FilePosition.size());
+  for (int i = 0; i < file.PointData->GetNumberOfArrays(); ++i)
   {
-    if (extension == later)
+    vtkDataArray* given = file.PointData->GetArray(i);
+    const auto array = vtkSmartPointer<vtkDataArray>::Take(given->NewInstance());
+    array->SetName(given->GetName());
+    array->SetNumberOfComponents(given->GetNumberOfComponents());
+    array->SetNumberOfTuples(count);
+    for (vtkIdType point = 0; point < count; ++point)
     {
-      throw MesoInputError(fileName + ": " + later + " meshes are not available yet; .obj is");
+      array->SetTuple(point, surface.FilePosition[point], given);
     }
+    target->AddArray(array);
   }
-  throw MesoInputError(fileName + ": is not a mesh by its name, which does not end in .obj");
 }
 }
 
@@ -166,10 +161,9 @@ void vtkMesoMeshReader::Read(vtkPolyData* output)
   {
     throw MesoInputError("vtkMesoMeshReader: no file name is set");
   }
-  CheckExtension(this->FileName);
-  const MesoObjFile file = MesoReadObj(this->FileName);
+  const MesoMeshFile file = MesoReadMeshFile(this->FileName);
   this->UpdateProgress(0.4);
-  const MesoObjSurface surface = MesoMakeSurface(file, this->FileName);
+  const MesoMeshSurface surface = MesoMakeSurface(file, this->FileName);
   this->UpdateProgress(0.9);
 
   this->Notes = surface.Notes;
@@ -180,6 +174,7 @@ void vtkMesoMeshReader::Read(vtkPolyData* output)
   output->SetPoints(points);
   output->SetPolys(MakeCells(surface.Triangles));
   vtkPointData* data = output->GetPointData();
+  AddFileArrays(file, surface, data);
   if (!surface.TextureCoordinates.empty())
   {
     const auto coordinates = MakeFloatOrDouble(surface.TextureCoordinates);

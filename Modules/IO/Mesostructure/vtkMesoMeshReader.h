@@ -3,10 +3,10 @@
 
 /**
  * @class vtkMesoMeshReader
- * @brief Read an OBJ mesh as triangles over points that are split where the surface has seams.
+ * @brief Read a mesh file as triangles over points that are split where the surface has seams.
  *
- * The file is scanned and checked first (MesoObjFile.h says what is refused), OpenMesh joins the
- * faces (MesoMeshTopology.h), polygons are cut into triangles (MesoTriangulate.h), and each
+ * Formats by the file's name: OBJ, PLY, STL, OFF, VTP, glTF and GLB. The file is scanned and checked
+ * first (MesoMeshFile.h and each format's header say what is refused), OpenMesh joins the faces (MesoMeshTopology.h), polygons are cut into triangles (MesoTriangulate.h), and each
  * different corner (position, texture coordinate, normal) becomes a point. Triangles keep the
  * file's order and winding.
  *
@@ -18,6 +18,7 @@
  * - `MesoVertex` (1, double): number of the merged vertex, from 0. Points of equal position share
  *   it. Faces that do not fit a manifold (a third face at an edge, doubled or turned faces) are
  *   sheets with vertices of their own, reported by a warning.
+ * - the further point arrays of a VTP file, under their names
  *
  * Positions and texture coordinates are float, or double where a float would be off by more than
  * 1e-6 of the diagonal of their bounding box.
@@ -43,7 +44,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The file to read; its name ends in ".obj" in small or capital letters.
+  /// The file to read; its name ends in one of MesoMeshExtensions(), in small or capital letters.
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

@@ -1,9 +1,9 @@
-#ifndef MesoObjSurface_h
-#define MesoObjSurface_h
+#ifndef MesoMeshSurface_h
+#define MesoMeshSurface_h
 
 /**
- * @file MesoObjSurface.h
- * @brief Turns the faces of an OBJ file into triangles over points, one for each different corner.
+ * @file MesoMeshSurface.h
+ * @brief Turns the faces of a mesh file into triangles over points, one for each different corner.
  *
  * ~~~
  * file -> merge equal positions -> drop corners that fall together -> topology (sheets)
@@ -13,10 +13,11 @@
  * Nothing is left out or put in without a line in Notes.
  */
 
-#include "MesoObjFile.h"
+#include "MesoMeshFile.h"
+#include "mesoIOMesostructureModule.h" // for export macro
 
 /// `n` points and `m` triangles. Points lie in the order of their first use.
-struct MesoObjSurface
+struct MesoMeshSurface
 {
   std::vector<std::array<double, 3>> Positions; ///< n
   /// n, or empty where the file has none; (0, 0) at corners without.
@@ -26,6 +27,8 @@ struct MesoObjSurface
   /// n: the point's vertex, from 0 without a gap. Points of equal position share a vertex, except
   /// that each sheet (MesoMeshTopology) has vertices of its own.
   std::vector<std::int32_t> Vertex;
+  /// n: the position's number in the file, of equal ones that of the point's first corner.
+  std::vector<std::int32_t> FilePosition;
   std::vector<std::array<std::int32_t, 3>> Triangles; ///< m, point numbers
   std::size_t NumberOfVertices = 0;
   std::size_t NumberOfSheets = 1;
@@ -34,7 +37,7 @@ struct MesoObjSurface
 };
 
 /// Throws MesoInputError where no face is left. `fileName` serves the message only.
-MESOIOMESOSTRUCTURE_EXPORT MesoObjSurface MesoMakeSurface(
-  const MesoObjFile& file, const std::string& fileName);
+MESOIOMESOSTRUCTURE_EXPORT MesoMeshSurface MesoMakeSurface(
+  const MesoMeshFile& file, const std::string& fileName);
 
 #endif

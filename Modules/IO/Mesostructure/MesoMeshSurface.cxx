@@ -1,4 +1,4 @@
-#include "MesoObjSurface.h"
+#include "MesoMeshSurface.h"
 
 #include "MesoMeshTopology.h"
 #include "MesoScene.h" // for MesoInputError
@@ -50,12 +50,12 @@ std::vector<std::int32_t> FirstEqual(const std::vector<std::array<double, N>>& t
 class Tally
 {
 public:
-  void Add(std::size_t line) { this->First = this->Count++ == 0 ? line : this->First; }
-  void Report(const std::string& what, std::vector<std::string>& notes) const
+  void Add(std::size_t place) { this->First = this->Count++ == 0 ? place : this->First; }
+  void Report(const std::string& what, const char* placeName, std::vector<std::string>& notes) const
   {
     if (this->Count > 0)
     {
-      notes.push_back(std::to_string(this->Count) + " " + what + " (first line " +
+      notes.push_back(std::to_string(this->Count) + " " + what + " (first " + placeName + " " +
         std::to_string(this->First) + ")");
     }
   }
@@ -71,19 +71,19 @@ struct Faces
   std::vector<std::size_t> FirstCorner = { 0 };
   std::vector<std::int32_t> Vertices; ///< a corner's merged position
   std::vector<std::size_t> FileCorner;
-  std::vector<std::size_t> Line;
+  std::vector<std::size_t> Place;
 
-  void Close(std::size_t line)
+  void Close(std::size_t place)
   {
     this->FirstCorner.push_back(this->Vertices.size());
-    this->Line.push_back(line);
+    this->Place.push_back(place);
   }
 };
 
 class SurfaceMaker
 {
 public:
-  explicit SurfaceMaker(const MesoObjFile& file)
+  explicit SurfaceMaker(const MesoMeshFile& file)
     : File(file)
     , MergedPosition(FirstEqual(file.Positions))
     , MergedTexture(FirstEqual(file.TextureCoordinates))
@@ -92,13 +92,13 @@ public:
     this->Surface.Notes = file.Notes;
   }
 
-  MesoObjSurface Make(const std::string& fileName)
+  MesoMeshSurface Make(const std::string& fileName)
   {
     this->CheckUse();
     this->CheckTextureCoordinates();
     this->CheckNormals();
     this->CollectFaces();
-    if (this->Kept.Line.empty())
+    if (this->Kept.Place.empty())
     {
       throw MesoInputError(fileName + ": no face has three different positions");
     }
@@ -111,11 +111,11 @@ public:
       Tally refused;
       for (std::size_t face : topology.RefusedFaces)
       {
-        refused.Add(this->Kept.Line[face]);
+        refused.Add(this->Kept.Place[face]);
       }
       refused.Report("faces do not join their neighbours in a manifold (doubled, turned over, or "
                      "a third at an edge) and are kept as sheets of their own",
-        this->Surface.Notes);
+        this->File.PlaceName, this->Surface.Notes);
     }
     this->MakeTriangles(topology);
     return std::move(this->Surface);
@@ -125,7 +125,7 @@ private:
   void CheckUse()
   {
     std::vector<bool> used(this->File.Positions.size());
-    for (const MesoObjCorner& corner : this->File.Corners)
+    for (const MesoMeshCorner& corner : this->File.Corners)
     {
       used[corner.Position] = true;
     }
@@ -138,7 +138,7 @@ private:
     }
   }
 
-  /// Calls `add` with the line of each face that has a corner for which `lacks` holds.
+  /// Calls `add` with the place of each face that has a corner for which `lacks` holds.
   template <typename Lacks>
   Tally FacesWhere(const Lacks& lacks) const
   {
@@ -149,7 +149,7 @@ private:
       const auto end = this->File.Corners.begin() + this->File.FirstCorner[face + 1];
       if (std::any_of(begin, end, lacks))
       {
-        tally.Add(this->File.FaceLine[face]);
+        tally.Add(this->File.FacePlace[face]);
       }
     }
     return tally;
@@ -158,27 +158,27 @@ private:
   void CheckTextureCoordinates()
   {
     const Tally without =
-      this->FacesWhere([](const MesoObjCorner& corner) { return corner.TextureCoordinate < 0; });
+      this->FacesWhere([](const MesoMeshCorner& corner) { return corner.TextureCoordinate < 0; });
     this->HasTexture = without.Count < this->File.NumberOfFaces();
     if (!this->HasTexture)
     {
       this->Surface.Notes.emplace_back("has no texture coordinates");
       return;
     }
-    without.Report(
-      "faces have corners without texture coordinates, taken as (0, 0)", this->Surface.Notes);
+    without.Report("faces have corners without texture coordinates, taken as (0, 0)",
+      this->File.PlaceName, this->Surface.Notes);
   }
 
   void CheckNormals()
   {
-    const Tally without = this->FacesWhere([&](const MesoObjCorner& corner)
+    const Tally without = this->FacesWhere([&](const MesoMeshCorner& corner)
       { return corner.Normal < 0 || !(this->LengthOf(corner.Normal) > 0.); });
     this->HasNormals = without.Count == 0;
     if (!this->HasNormals && !this->File.Normals.empty())
     {
       without.Report("faces have corners without a normal, or of length 0; the file's normals are "
                      "not used",
-        this->Surface.Notes);
+        this->File.PlaceName, this->Surface.Notes);
     }
   }
 
@@ -208,25 +208,25 @@ private:
       {
         corners.pop_back();
       }
-      const std::size_t line = this->File.FaceLine[face];
+      const std::size_t place = this->File.FacePlace[face];
       if (corners.size() < 3)
       {
-        dropped.Add(line);
+        dropped.Add(place);
         continue;
       }
       if (corners.size() < this->File.FirstCorner[face + 1] - this->File.FirstCorner[face])
       {
-        collapsed.Add(line);
+        collapsed.Add(place);
       }
-      this->KeepFace(corners, line);
+      this->KeepFace(corners, place);
     }
-    dropped.Report(
-      "faces have fewer than three different positions and are left out", this->Surface.Notes);
+    dropped.Report("faces have fewer than three different positions and are left out",
+      this->File.PlaceName, this->Surface.Notes);
     collapsed.Report("faces have neighbouring corners at one position, of which the first is kept",
-      this->Surface.Notes);
+      this->File.PlaceName, this->Surface.Notes);
   }
 
-  void KeepFace(const std::vector<std::size_t>& corners, std::size_t line)
+  void KeepFace(const std::vector<std::size_t>& corners, std::size_t place)
   {
     std::vector<std::int32_t>& sorted = this->Scratch;
     sorted.clear();
@@ -237,7 +237,7 @@ private:
     std::sort(sorted.begin(), sorted.end());
     if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end())
     {
-      this->KeepCorners(corners, line);
+      this->KeepCorners(corners, place);
       return;
     }
     // A polygon that comes back to a vertex: its triangles are taken as faces.
@@ -250,19 +250,19 @@ private:
       if (this->VertexAt(a) != this->VertexAt(b) && this->VertexAt(b) != this->VertexAt(c) &&
         this->VertexAt(c) != this->VertexAt(a))
       {
-        this->KeepCorners({ a, b, c }, line);
+        this->KeepCorners({ a, b, c }, place);
       }
     }
   }
 
-  void KeepCorners(const std::vector<std::size_t>& corners, std::size_t line)
+  void KeepCorners(const std::vector<std::size_t>& corners, std::size_t place)
   {
     for (std::size_t corner : corners)
     {
       this->Kept.Vertices.push_back(this->VertexAt(corner));
       this->Kept.FileCorner.push_back(corner);
     }
-    this->Kept.Close(line);
+    this->Kept.Close(place);
   }
 
   void MakeTriangles(const MesoMeshTopology& topology)
@@ -271,14 +271,14 @@ private:
     this->VertexNumber.assign(topology.Original.size(), -1);
     this->PointsOfVertex.reserve(topology.Original.size());
     std::vector<std::size_t> corners;
-    for (std::size_t face = 0; face < this->Kept.Line.size(); ++face)
+    for (std::size_t face = 0; face < this->Kept.Place.size(); ++face)
     {
       const std::size_t begin = this->Kept.FirstCorner[face];
       const std::size_t end = this->Kept.FirstCorner[face + 1];
       corners.assign(this->Kept.FileCorner.begin() + begin, this->Kept.FileCorner.begin() + end);
       if (!this->Cut(corners))
       {
-        unsound.Add(this->Kept.Line[face]);
+        unsound.Add(this->Kept.Place[face]);
       }
       this->PointOfCorner.clear();
       for (std::size_t i = begin; i < end; ++i)
@@ -292,7 +292,8 @@ private:
           this->PointOfCorner[this->Cuts[i + 1]], this->PointOfCorner[this->Cuts[i + 2]] });
       }
     }
-    unsound.Report("faces are folded over, cross themselves or have no area", this->Surface.Notes);
+    unsound.Report("faces are folded over, cross themselves or have no area", this->File.PlaceName,
+      this->Surface.Notes);
   }
 
   /// Cuts the polygon into this->Cuts.
@@ -309,7 +310,7 @@ private:
 
   std::int32_t PointAt(std::int32_t topologyVertex, std::size_t fileCorner)
   {
-    const MesoObjCorner& corner = this->File.Corners[fileCorner];
+    const MesoMeshCorner& corner = this->File.Corners[fileCorner];
     std::int32_t& vertex = this->VertexNumber[topologyVertex];
     if (vertex < 0)
     {
@@ -337,9 +338,10 @@ private:
   }
 
   void AddPoint(
-    std::int32_t vertex, const MesoObjCorner& corner, std::int32_t texture, std::int32_t normal)
+    std::int32_t vertex, const MesoMeshCorner& corner, std::int32_t texture, std::int32_t normal)
   {
     this->Surface.Vertex.push_back(vertex);
+    this->Surface.FilePosition.push_back(corner.Position);
     this->Surface.Positions.push_back(this->File.Positions[this->MergedPosition[corner.Position]]);
     if (this->HasTexture)
     {
@@ -371,7 +373,7 @@ private:
     std::int32_t NextOfVertex;
   };
 
-  const MesoObjFile& File;
+  const MesoMeshFile& File;
   const std::vector<std::int32_t> MergedPosition;
   const std::vector<std::int32_t> MergedTexture;
   const std::vector<std::int32_t> MergedNormal;
@@ -385,11 +387,11 @@ private:
   std::vector<std::array<double, 3>> Polygon;
   std::vector<int> Cuts;
   std::vector<std::int32_t> PointOfCorner;
-  MesoObjSurface Surface;
+  MesoMeshSurface Surface;
 };
 }
 
-MesoObjSurface MesoMakeSurface(const MesoObjFile& file, const std::string& fileName)
+MesoMeshSurface MesoMakeSurface(const MesoMeshFile& file, const std::string& fileName)
 {
   return SurfaceMaker(file).Make(fileName);
 }

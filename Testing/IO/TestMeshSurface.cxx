@@ -1,6 +1,7 @@
 // OBJ faces as triangles over split points: seams, merged positions, sheets, and all that is noted.
 
-#include "MesoObjSurface.h"
+#include "MesoMeshSurface.h"
+#include "MesoObjFile.h"
 #include "MesoScene.h" // for MesoInputError
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace
 {
 const std::string Square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-MesoObjSurface Make(const std::string& text)
+MesoMeshSurface Make(const std::string& text)
 {
   return MesoMakeSurface(MesoParseObj(text, "m.obj"), "m.obj");
 }
