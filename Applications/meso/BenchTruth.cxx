@@ -20,6 +20,7 @@ void SetTechnique(
     {
       options.Technique = technique;
       options.Effects = MesoEffectChoice();
+      options.Search.reset();
       options.Quality = quality.value_or(options.Quality);
     }
     SetTechnique(node.Children, technique, quality);

@@ -55,6 +55,11 @@ CommandRender::CommandRender(CLI::App& app)
     },
     "Quality in place of the scene's: " + JoinNames(MesoQualityNames()));
   command->add_option_function<std::string>(
+    "--search",
+    [this](const std::string& text)
+    { this->Search = ParseName("--search", text, MesoSearchFromName(text), MesoSearchNames()); },
+    "Search of height maps in place of the scene's: " + JoinNames(MesoSearchNames()));
+  command->add_option_function<std::string>(
     "--effects",
     [this](const std::string& text)
     {
@@ -87,8 +92,18 @@ void CommandRender::Override(std::vector<MesoSceneNode>& nodes) const
     {
       options.Technique = *this->Technique;
       options.Effects = MesoEffectChoice();
+      options.Search.reset(); // of the scene's technique
     }
     options.Quality = this->Quality.value_or(options.Quality);
+    if (this->Search && options.Technique != MesoTechnique::Plain)
+    {
+      options.Search = this->Search;
+    }
+    const std::string searchProblem = MesoSearchProblem(options);
+    if (options.Technique != MesoTechnique::Plain && !searchProblem.empty())
+    {
+      throw MesoInputError("node '" + node.Name + "': " + searchProblem);
+    }
     if (this->Effects && options.Technique != MesoTechnique::Plain)
     {
       const MesoEffects missing =

@@ -33,6 +33,7 @@ private:
   std::array<int, 2> Size = { 800, 600 };
   std::optional<MesoTechnique> Technique;
   std::optional<MesoQuality> Quality;
+  std::optional<MesoSearch> Search;
   std::optional<MesoEffectChoice> Effects;
   std::vector<std::string> Channels; ///< AOV groups, empty for none
   int Samples = 1;

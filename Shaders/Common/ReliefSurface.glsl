@@ -1,6 +1,7 @@
 // The contract of a technique for those that search a height map: what they share around their
-// search. Stands on Common/ReliefFrame, Kernels/HeightField and LinearBinarySearch. The technique itself defines
-// the three functions that are declared here.
+// The contract of a technique for those that search a height map: what they share around their
+// search. Stands on Common/ReliefFrame, Kernels/HeightField and Common/ReliefSearch. The technique
+// itself defines the three functions that are declared here.
 
 // Follow the view ray to the hit's RayLength, MapCoord, Relief, Fetches and Iterations, or to a miss.
 // Where no ray can be followed the hit stays the base, and the result is false.
@@ -22,6 +23,7 @@ void takeSearch(HeightHit found, inout MesoSurfaceHit hit)
   hit.MapCoord = found.MapCoord;
   hit.Relief = found.Relief;
   hit.Fetches = found.Fetches;
+  hit.TexelReads = found.TexelReads;
   hit.Iterations = found.Iterations;
 }
 
@@ -40,8 +42,8 @@ MesoSurfaceHit traceSurface(MesoFragment f)
 #else
   hit.Relief = 1.0 - bilinearHeight(f.MapCoord);
   hit.Fetches = 1;
+  hit.TexelReads = 4;
 #endif
-  hit.TexelReads = 4 * hit.Fetches;
 #ifdef MESO_SHADING
   hit.NormalVC = reliefNormal(f, hit, heightGradient(hit.MapCoord));
   hit.Fetches += 1;

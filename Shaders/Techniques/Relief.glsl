@@ -2,7 +2,6 @@
 // Oliveira2005, section 2.1 (Documentation/Techniques/References.md).
 // Model: around the fragment the base is its tangent plane with constant dp/du, dp/dv and n, so the
 // view ray is straight in (u, v, depth). Completes Common/ReliefSurface.
-//   MESO_LINEAR_STEPS, MESO_BINARY_STEPS  the search's steps
 
 bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
 {
@@ -11,8 +10,7 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   {
     return false;
   }
-  HeightHit found = searchLinearBinary(
-    straightPath(f.MapCoord, rate.xy / rate.z, 0.0, 1.0), MESO_LINEAR_STEPS, MESO_BINARY_STEPS);
+  HeightHit found = searchRelief(straightPath(f.MapCoord, rate.xy / rate.z, 0.0, 1.0));
   if (found.Hit) // else a number is not finite
   {
     hit.RayLength = found.RayDepth / rate.z;
@@ -42,7 +40,6 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
   }
   // The light may be inside the relief.
   float depthEnd = min(depthStart, max(0.0, hit.Relief + travel.z * lightDistance));
-  return occludedLinear(
-    straightPath(hit.MapCoord + lift.xy, travel.xy / travel.z, depthStart, depthEnd),
-    MESO_LINEAR_STEPS, fetches);
+  return reliefOccludes(
+    straightPath(hit.MapCoord + lift.xy, travel.xy / travel.z, depthStart, depthEnd), fetches);
 }

@@ -4,7 +4,6 @@
 // counted from it along the fragment's normal (equation 7). A straight ray of rates (u, v, z)' is
 // then z' t - quadric(u', v') t^2 deep: it either meets the bottom or comes back to depth 0 and
 // misses. Stands on Kernels/Quadric. Completes Common/ReliefSurface.
-//   MESO_LINEAR_STEPS, MESO_BINARY_STEPS  the search's steps
 //   MESO_CURVATURE   the quadric of the vertices is used; without it, it is the tangent plane
 //   MESO_SILHOUETTE  rays that come back are not drawn; without it, they draw the base
 
@@ -29,9 +28,7 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   {
     return false;
   }
-  // A ray that leaves at once can only meet what lies at depth 0.
-  HeightHit found =
-    searchLinearBinary(path, lengthEnd > 0.0 ? MESO_LINEAR_STEPS : 1, MESO_BINARY_STEPS);
+  HeightHit found = searchRelief(path);
   if (found.Hit)
   {
     hit.RayLength = found.Part * lengthEnd;
@@ -81,5 +78,5 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
   HeightPath path =
     bentPath(hit.MapCoord + lift.xy, travel.xy, depthStart, depthEnd, bend, lengthEnd);
   // Too long a path: the light hardly rises out of the surface.
-  return canBeFollowed(path) ? occludedLinear(path, MESO_LINEAR_STEPS, fetches) : 1.0;
+  return canBeFollowed(path) ? reliefOccludes(path, fetches) : 1.0;
 }

@@ -90,7 +90,7 @@ TEST(SceneRefusals, KnownButNotYetServed)
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
   EXPECT_EQ(OfScene(R"("clipping_planes": [])"), "s.json: clipping_planes: is not available yet");
   for (const char* key :
-    { "relief_map", "volume", "tile_mesh", "baked", "search", "curved", "rank", "segments" })
+    { "relief_map", "volume", "tile_mesh", "baked", "curved", "rank", "segments" })
   {
     EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
       std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
@@ -118,6 +118,9 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "certified"})"),
     "quality \"certified\" is not available yet (choices: draft, low, medium, high)"));
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "best"})"), "there is no quality \"best\""));
+  EXPECT_TRUE(Mentions(OfRelief(R"(, "search": "linear-binery")"), "did you mean linear-binary?"));
+  EXPECT_EQ(OfNode(head + R"("search": "linear-secant"})"),
+    "s.json: nodes[0].mesostructure.search: technique plain has no search");
   EXPECT_TRUE(Mentions(OfNode(head + R"("wrap": "tile"})"), "choices: repeat, clamp, mirror"));
   EXPECT_TRUE(Mentions(OfNode(R"("mesh": {"shape": "teapot"})"), "is not available yet"));
   EXPECT_TRUE(Mentions(OfNode(R"("mesh": {"shape": "taurus"})"), "did you mean torus?"));

@@ -82,6 +82,7 @@ TEST(SceneSchema, HasTheChoicesOfTheReader)
   const Json keys = schema.at("$defs").at("mesostructure").at("properties");
   EXPECT_EQ(keys.at("technique").at("enum"), Json(MesoTechniqueNames()));
   EXPECT_EQ(keys.at("quality").at("enum"), Json(MesoQualityNames()));
+  EXPECT_EQ(keys.at("search").at("enum"), Json(MesoSearchNames()));
   EXPECT_EQ(keys.at("wrap").at("enum"), Json(MesoWrapNames()));
   const Json table = schema.at("$defs").at("lookup_table").at("properties");
   EXPECT_EQ(table.at("name").at("enum"), Json(MesoColorMapNames()));

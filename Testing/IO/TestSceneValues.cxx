@@ -148,6 +148,11 @@ TEST(SceneValues, Mesostructure)
   EXPECT_EQ(options.Technique, MesoTechnique::Relief);
   EXPECT_EQ(options.Quality, MesoQuality::Draft);
   EXPECT_EQ(options.Wrap, MesoWrap::Mirror);
+  EXPECT_EQ(options.Search, std::nullopt);
+  EXPECT_EQ(MesoSearchOf(options), MesoSearch::LinearBinary);
+  EXPECT_EQ(
+    MesoSearchOf(ParseOptions(R"("search": "linear-secant", "technique": "relief-quadric")")),
+    MesoSearch::LinearSecant);
   EXPECT_EQ(options.Tiles, (std::array<double, 2>{ 6., 0.5 }));
   EXPECT_FALSE(options.Effects.Auto);
   EXPECT_EQ(options.Effects.Named, MesoEffects({ MesoEffect::Shading, MesoEffect::Depth }));

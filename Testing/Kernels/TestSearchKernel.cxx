@@ -321,3 +321,43 @@ TYPED_TEST(SearchKernel, TakesAnyNumberOfSteps)
     EXPECT_EQ(hit.Iterations, 1);
   }
 }
+
+TYPED_TEST(SearchKernel, SecantsStandOnTheReliefAsHalvingsDo)
+{
+  using Vec2 = typename TestFixture::Vec2;
+  // Walls and crests: the secants' bracket is one texel or more here, and may hold kinks.
+  const std::vector<float> heights =
+    MakeHeights(16, 16, [](int column, int row) { return column % 4 < 2 ? 1. : 0.05 * row; });
+  const typename TestFixture::HeightField field(16, 16, MesoWrap::Repeat, heights);
+  for (int run = 0; run < 2000; ++run)
+  {
+    const Vec2 entry(this->Random(-1., 2.), this->Random(-1., 2.));
+    const Vec2 slope = this->Slope(75., this->Random(0., 6.28));
+    const auto path = field.straightPath(entry, slope, 0, 1);
+    const auto halved = field.searchLinearBinary(path, 64, 8);
+    const auto secant = field.searchLinearSecant(path, 64, 4);
+    ASSERT_EQ(halved.Hit, secant.Hit);
+    const double step = 1. / 64.;
+    ASSERT_NEAR(secant.RayDepth, halved.RayDepth, 1.01 * step) << "not the same first meeting";
+    const double clearance =
+      1. - double(field.bilinearHeight(secant.MapCoord)) - double(secant.RayDepth);
+    // Four secants of a bracket with at most two kinks leave a tenth of a step at worst.
+    ASSERT_LE(std::abs(clearance), 0.1) << entry.x << " " << entry.y << " " << slope.x;
+    ASSERT_LE(secant.Iterations, 64 + 4);
+    ASSERT_EQ(secant.TexelReads, 4 * secant.Fetches);
+  }
+}
+
+TYPED_TEST(SearchKernel, OneSecantSolvesWhatIsStraight)
+{
+  using Real = typename TestFixture::Real;
+  const std::vector<float> heights = MakeHeights(16, 1, [](int i, int) { return 1. - i / 32.; });
+  const typename TestFixture::HeightField field(16, 1, MesoWrap::Clamp, heights);
+  const auto path = field.straightPath({ Real(0.2), 0 }, { Real(0.3), 0 }, 0, 1);
+  const auto none = field.searchLinearSecant(path, 3, 0);
+  const auto one = field.searchLinearSecant(path, 3, 1);
+  EXPECT_TRUE(one.Hit);
+  EXPECT_EQ(one.Iterations, none.Iterations + 1);
+  // Depth (16 u - 1/2) / 32 meets u = .2 + .3 s where s (1 - .15) = .1 - 1/64.
+  EXPECT_NEAR(one.RayDepth, (0.1 - 1. / 64.) / 0.85, 8. * double(this->Epsilon));
+}

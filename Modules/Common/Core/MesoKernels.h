@@ -10,8 +10,8 @@
  *     solveFrame
  *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
  *     a height map (constructed as MesoHeightTexture) with wrapTexel, bilinearHeight,
- *     heightGradient, patchGradient, searchLinearBinary, occludedLinear, and the structs HeightPath
- *     (made by straightPath and bentPath) and HeightHit
+ *     heightGradient, patchGradient, searchLinearBinary, searchLinearSecant, occludedLinear, and the
+ *     structs HeightPath (made by straightPath and bentPath) and HeightHit
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross
@@ -131,7 +131,13 @@ class HeightField : public MesoHeightTexture<float>
 public:
   using MesoHeightTexture<float>::MesoHeightTexture;
 #include "MesoHeightFieldFloat.h"
+//
+#include "MesoHeightPathFloat.h"
+//
+#include "MesoLinearSearchFloat.h"
+//
 #include "MesoLinearBinarySearchFloat.h"
+#include "MesoLinearSecantSearchFloat.h"
 };
 }
 #if defined(__GNUC__)
@@ -157,7 +163,13 @@ class HeightField : public MesoHeightTexture<double>
 public:
   using MesoHeightTexture<double>::MesoHeightTexture;
 #include "MesoHeightFieldDouble.h"
+//
+#include "MesoHeightPathDouble.h"
+//
+#include "MesoLinearSearchDouble.h"
+//
 #include "MesoLinearBinarySearchDouble.h"
+#include "MesoLinearSecantSearchDouble.h"
 };
 }
 

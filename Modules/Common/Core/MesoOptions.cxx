@@ -14,6 +14,8 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" } };
+constexpr Entry<MesoSearch> Searches[] = { { MesoSearch::LinearBinary, "linear-binary" },
+  { MesoSearch::LinearSecant, "linear-secant" } };
 constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap::Clamp, "clamp" },
   { MesoWrap::Mirror, "mirror" } };
 constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" },
@@ -71,6 +73,11 @@ const char* MesoName(MesoQuality value)
   return NameOf(Qualities, value);
 }
 
+const char* MesoName(MesoSearch value)
+{
+  return NameOf(Searches, value);
+}
+
 const char* MesoName(MesoWrap value)
 {
   return NameOf(Wraps, value);
@@ -96,6 +103,11 @@ std::optional<MesoQuality> MesoQualityFromName(const std::string& name)
   return FromName(Qualities, name);
 }
 
+std::optional<MesoSearch> MesoSearchFromName(const std::string& name)
+{
+  return FromName(Searches, name);
+}
+
 std::optional<MesoWrap> MesoWrapFromName(const std::string& name)
 {
   return FromName(Wraps, name);
@@ -119,6 +131,11 @@ std::vector<std::string> MesoTechniqueNames()
 std::vector<std::string> MesoQualityNames()
 {
   return AllNames(Qualities);
+}
+
+std::vector<std::string> MesoSearchNames()
+{
+  return AllNames(Searches);
 }
 
 std::vector<std::string> MesoWrapNames()
@@ -192,6 +209,11 @@ bool MesoUsesHeightMap(MesoTechnique technique)
   return technique != MesoTechnique::Plain;
 }
 
+bool MesoHasSearches(MesoTechnique technique)
+{
+  return technique == MesoTechnique::Relief || technique == MesoTechnique::ReliefQuadric;
+}
+
 double MesoFacetsPerTexel(MesoQuality quality)
 {
   switch (quality)
@@ -232,4 +254,31 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
 MesoEffects MesoEffectsOn(const MesoMesostructureOptions& options)
 {
   return options.Effects.Auto ? MesoEffectsOfTechnique(options.Technique) : options.Effects.Named;
+}
+
+MesoSearch MesoSearchOf(const MesoMesostructureOptions& options)
+{
+  const MesoSearch ofQuality =
+    options.Quality == MesoQuality::Certified ? MesoSearch::Certified : MesoSearch::LinearBinary;
+  return options.Search.value_or(ofQuality);
+}
+
+std::string MesoSearchProblem(const MesoMesostructureOptions& options)
+{
+  const bool certified = options.Quality == MesoQuality::Certified;
+  if (!MesoHasSearches(options.Technique))
+  {
+    const std::string technique = std::string("technique ") + MesoName(options.Technique);
+    if (options.Search)
+    {
+      return technique + " has no search";
+    }
+    return certified ? technique + " has no quality certified" : "";
+  }
+  if (certified && MesoSearchOf(options) != MesoSearch::Certified)
+  {
+    return std::string("quality certified is the search certified, not ") +
+      MesoName(*options.Search) + "; name another quality, or no search";
+  }
+  return "";
 }

@@ -108,7 +108,7 @@ private:
   std::uint32_t Bits = 0;
 };
 
-/// Number of linear and of binary search steps.
+/// Number of linear and of refining steps of a search: halvings, or half as many secants, rounded up.
 struct MesoSearchSteps
 {
   int Linear;
@@ -119,11 +119,13 @@ struct MesoSearchSteps
 /// The name as the scene file spells it, and back (empty where there is no such name).
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoTechnique value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoQuality value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoSearch value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoWrap value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoEffect value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoQuadricKind value);
 MESOCOMMONCORE_EXPORT std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoQuality> MesoQualityFromName(const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoSearch> MesoSearchFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoWrap> MesoWrapFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoEffect> MesoEffectFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoQuadricKind> MesoQuadricKindFromName(
@@ -134,6 +136,7 @@ MESOCOMMONCORE_EXPORT std::optional<MesoQuadricKind> MesoQuadricKindFromName(
 /// All names of a kind, for messages and help.
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoTechniqueNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoQualityNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoSearchNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoWrapNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoEffectNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoQuadricKindNames();
@@ -144,6 +147,10 @@ MESOCOMMONCORE_EXPORT MesoSearchSteps MesoStepsOfQuality(MesoQuality quality);
 
 /// Whether a technique draws a height map; the others have no use for one.
 MESOCOMMONCORE_EXPORT bool MesoUsesHeightMap(MesoTechnique technique);
+
+/// Whether a technique's rays can look for the height map by each MesoSearch. The others have neither
+/// the option Search nor the quality Certified.
+MESOCOMMONCORE_EXPORT bool MesoHasSearches(MesoTechnique technique);
 
 /// Facets along a texel's side, for techniques that dice: 1/4, 1/2, 1, 2.
 MESOCOMMONCORE_EXPORT double MesoFacetsPerTexel(MesoQuality quality);
@@ -177,5 +184,14 @@ struct MesoMesostructureOptions
 
 /// The effects that are on: what is chosen, where "auto" means what the technique provides.
 MESOCOMMONCORE_EXPORT MesoEffects MesoEffectsOn(const MesoMesostructureOptions& options);
+
+/// The search that is used: what is named, else Certified at the quality Certified, else
+/// LinearBinary.
+MESOCOMMONCORE_EXPORT MesoSearch MesoSearchOf(const MesoMesostructureOptions& options);
+
+/// Why technique, quality and search do not go together; empty where they do. The quality Certified
+/// is a search, so it takes no other beside it; the search Certified goes with each quality, whose
+/// steps it has no use for.
+MESOCOMMONCORE_EXPORT std::string MesoSearchProblem(const MesoMesostructureOptions& options);
 
 #endif

@@ -31,8 +31,8 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "lookup_table", { "name", "range" }, {} },
     { "mesostructure",
       { "technique", "height_map", "depth_map", "range", "sample_spacing", "scale", "reference",
-        "tiles", "wrap", "quality", "quadric", "effects" },
-      { "relief_map", "volume", "tile_mesh", "baked", "search", "curved", "rank", "segments" } },
+        "tiles", "wrap", "quality", "search", "quadric", "effects" },
+      { "relief_map", "volume", "tile_mesh", "baked", "curved", "rank", "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
   {

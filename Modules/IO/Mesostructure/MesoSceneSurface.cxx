@@ -14,6 +14,7 @@ const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-obj
   "horizon", "displacement", "geometry-image", "relief-quadric-exact", "vdm", "gdm", "slices",
   "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "certified", "full" };
+const std::vector<std::string> LaterSearches = { "cone", "certified" };
 
 /// A word of a list, for ToChoice.
 std::string ReadName(const MesoSceneValue& value, const std::string& kind,
@@ -253,6 +254,17 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       options.Quality = quality.ToChoice<MesoQuality>(
         "quality", &MesoQualityFromName, MesoQualityNames(), LaterQualities);
     });
+  value.With("search",
+    [&](const MesoSceneValue& search)
+    {
+      options.Search = search.ToChoice<MesoSearch>(
+        "search", &MesoSearchFromName, MesoSearchNames(), LaterSearches);
+    });
+  const std::string searchProblem = MesoSearchProblem(options);
+  if (!searchProblem.empty())
+  {
+    value.At(options.Search ? "search" : "quality").Fail(searchProblem);
+  }
   value.With("wrap",
     [&](const MesoSceneValue& name)
     { options.Wrap = name.ToChoice<MesoWrap>("wrap", &MesoWrapFromName, MesoWrapNames()); });

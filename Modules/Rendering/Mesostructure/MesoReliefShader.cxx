@@ -26,10 +26,24 @@ MesoShaderShape MesoReliefShader::GetShape() const
   shape.Attributes = { { "mesoTangent", "MesoTangent" }, { "mesoBitangent", "MesoBitangent" },
     { "mesoTileScale", "MesoTileScale" } };
   shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-    "Kernels/LinearBinarySearch.glsl", "Common/ReliefFrame.glsl", "Common/ReliefSurface.glsl" };
+    "Kernels/HeightPath.glsl", "Kernels/LinearSearch.glsl" };
+  const MesoSearch search = MesoSearchOf(this->Options);
   const MesoSearchSteps steps = MesoStepsOfQuality(this->Options.Quality);
-  shape.Defines = { { "MESO_LINEAR_STEPS", std::to_string(steps.Linear) },
-    { "MESO_BINARY_STEPS", std::to_string(steps.Binary) },
+  int refining = steps.Binary;
+  if (search == MesoSearch::LinearSecant)
+  {
+    shape.Chunks.emplace_back("Kernels/LinearSecantSearch.glsl");
+    refining = (steps.Binary + 1) / 2;
+  }
+  else
+  {
+    shape.Chunks.emplace_back("Kernels/LinearBinarySearch.glsl");
+  }
+  shape.Chunks.insert(shape.Chunks.end(),
+    { "Common/ReliefSearch.glsl", "Common/ReliefFrame.glsl", "Common/ReliefSurface.glsl" });
+  shape.Defines = { { "MESO_SEARCH", std::to_string(static_cast<int>(search)) },
+    { "MESO_LINEAR_STEPS", std::to_string(steps.Linear) },
+    { "MESO_REFINING_STEPS", std::to_string(refining) },
     { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) } };
   if (this->Options.Technique == MesoTechnique::ReliefQuadric)
   {

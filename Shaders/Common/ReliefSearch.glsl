@@ -1,0 +1,26 @@
+// The search that was chosen, for techniques that follow a path through a height map.
+//   MESO_SEARCH  which: as MesoSearch counts
+//   MESO_LINEAR_STEPS, MESO_REFINING_STEPS  its steps
+
+// A path that leaves the relief where it starts can only meet it there.
+int linearSteps(HeightPath path)
+{
+  bool isPoint = path.MapSpan == vec2(0.0) && path.DepthStart == path.DepthEnd && path.Sag == 0.0;
+  return isPoint ? 1 : MESO_LINEAR_STEPS;
+}
+
+// First meeting of the path with the relief.
+HeightHit searchRelief(HeightPath path)
+{
+#if MESO_SEARCH == 1
+  return searchLinearSecant(path, linearSteps(path), MESO_REFINING_STEPS);
+#else
+  return searchLinearBinary(path, linearSteps(path), MESO_REFINING_STEPS);
+#endif
+}
+
+// 1.0 where the relief blocks a path out of it, else 0.0.
+float reliefOccludes(HeightPath path, out int fetches)
+{
+  return occludedLinear(path, MESO_LINEAR_STEPS, fetches);
+}
