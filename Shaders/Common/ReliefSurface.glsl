@@ -49,7 +49,7 @@ MesoSurfaceHit traceSurface(MesoFragment f)
   hit.Fetches += 1;
   hit.TexelReads += 12;
 #endif
-#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
+#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV) || defined(MESO_DIFFERENTIAL)
   hit.FacetNormalVC = reliefNormal(f, hit, patchGradient(hit.MapCoord));
 #endif
 #ifdef MESO_SELF_SHADOW

@@ -48,6 +48,7 @@ const Picture Pictures[] = {
   { "PatternNoise", "Documentation/PatternNoise.json", "320x240" },
   { "PatternSmooth", "Documentation/PatternSmooth.json", "320x240" },
   { "PatternStep", "Documentation/PatternStep.json", "320x240" },
+  { "ScalarContours", "Documentation/ScalarContours.json", "400x300" },
   { "ShapeCylinder", "Documentation/ShapeCylinder.json", "320x240" },
   { "ShapePlane", "Documentation/ShapePlane.json", "320x240" },
   { "ShapeSphere", "Documentation/ShapeSphere.json", "320x240" },

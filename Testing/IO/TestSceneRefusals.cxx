@@ -88,7 +88,6 @@ TEST(SceneRefusals, UnknownKeys)
 TEST(SceneRefusals, KnownButNotYetServed)
 {
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
-  EXPECT_EQ(OfScene(R"("clipping_planes": [])"), "s.json: clipping_planes: is not available yet");
   for (const char* key :
     { "relief_map", "volume", "tile_mesh", "baked", "curved", "rank", "segments" })
   {
@@ -227,6 +226,33 @@ TEST(SceneRefusals, Maps)
   }
   EXPECT_TRUE(Mentions(
     OfNode(R"("mesh": "a", "mesostructure": {"scale": -1})"), "scale: must be 0 or more, is -1"));
+}
+
+TEST(SceneRefusals, ContoursAndScalarBars)
+{
+  const std::pair<const char*, const char*> cases[] = {
+    { R"("contours": true)", "s.json: nodes[0].material.contours: must be an object" },
+    { R"("contours": {})", "contours: needs either spacing or values" },
+    { R"("contours": {"spacing": 1, "values": [1]})", "contours: needs either spacing or values" },
+    { R"("contours": {"spacing": 0})", "contours.spacing: must be more than 0" },
+    { R"("contours": {"values": []})", "contours.values: needs 1 to 32 numbers" },
+    { R"("contours": {"spacing": 0.1, "width": 0})", "contours.width: must be more than 0" },
+    { R"("contours": {"spacing": 0.1, "values_of": "metres"})",
+      "contours.values_of: there is no kind of values \"metres\"" },
+    { R"("contours": {"spacing": 0.1})",
+      "contours: contour lines are those of a height_map or a depth_map, and the node has none" },
+    { R"("scalar_bar": true)", "scalar_bar: there is no color_by that it is of" },
+    { R"("color_by": "A", "scalar_bar": 1)", "scalar_bar: must be an object" },
+    { R"("color_by": "A", "scalar_bar": {"title": ""})", "title: must not be empty" },
+    { R"("color_by": "A", "scalar_bar": {"values_of": "map"})",
+      "scalar_bar.values_of: is for color_by height" },
+  };
+  for (const auto& [text, part] : cases)
+  {
+    const std::string message =
+      OfNode(std::string(R"("mesh": "a.obj", "material": {)") + text + "}");
+    EXPECT_TRUE(Mentions(message, part)) << text << " gives " << message;
+  }
 }
 
 TEST(SceneRefusals, ColorBy)

@@ -126,6 +126,9 @@ TEST(SceneSchema, DefaultsAreThoseOfTheReader)
   EXPECT_EQ(of("material", "specular"), material.Specular);
   EXPECT_EQ(of("material", "specular_power"), material.SpecularPower);
   EXPECT_EQ(of("material", "opacity"), material.Opacity);
+  const MesoSceneContours contours;
+  EXPECT_EQ(of("contours", "color"), Json(contours.Color));
+  EXPECT_EQ(of("contours", "width"), contours.Width);
   const MesoSceneMap map;
   EXPECT_EQ(of("pattern_brick", "size"), Json(map.Size));
   EXPECT_EQ(of("pattern_brick", "seed"), map.Seed);

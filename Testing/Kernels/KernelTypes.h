@@ -15,6 +15,7 @@
 struct FloatKernels
 {
   using Real = float;
+  using Contour = MesoKernels::Float::Contour;
   using Frame = MesoKernels::Float::Frame;
   using HeightField = MesoKernels::Float::HeightField;
   using Quadric = MesoKernels::Float::Quadric;
@@ -23,6 +24,7 @@ struct FloatKernels
 struct DoubleKernels
 {
   using Real = double;
+  using Contour = MesoKernels::Double::Contour;
   using Frame = MesoKernels::Double::Frame;
   using HeightField = MesoKernels::Double::HeightField;
   using Quadric = MesoKernels::Double::Quadric;

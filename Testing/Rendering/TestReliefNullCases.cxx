@@ -136,17 +136,6 @@ TEST_P(ReliefNullCases, BoundsHoldTheRelief)
   EXPECT_EQ(relief[0], plain[0]);
 }
 
-TEST_P(ReliefNullCases, ClippingPlanesAreSaidToCutTheBase)
-{
-  vtkNew<vtkPlane> plane;
-  this->Relief->AddClippingPlane(plane);
-  this->Scene.Actor->SetMapper(this->Relief);
-  MesoExpectedMessages expected("Clipping planes cut the base mesh");
-  this->Scene.Window->Render();
-  this->Scene.Window->Render();
-  EXPECT_EQ(expected.GetCount(), 1);
-}
-
 TEST_P(ReliefNullCases, AnotherWindowAndBackAgain)
 {
   this->Scene.Actor->SetMapper(this->Relief);

@@ -6,6 +6,8 @@
  * @brief The shaders' kernels (Shaders/Kernels) on the CPU, in float and in double.
  *
  * The same text as the shaders': each function's meaning, spaces, units and source stand there.
+ *   MesoKernels::Float::Contour, MesoKernels::Double::Contour
+ *     evenContours, oneContour
  *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
  *     solveFrame
  *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
@@ -114,6 +116,12 @@ using glm::trunc;
 #endif
 namespace Float
 {
+class Contour
+{
+public:
+#include "MesoContourFloat.h"
+};
+
 class Frame
 {
 public:
@@ -146,6 +154,12 @@ public:
 
 namespace Double
 {
+class Contour
+{
+public:
+#include "MesoContourDouble.h"
+};
+
 class Frame
 {
 public:

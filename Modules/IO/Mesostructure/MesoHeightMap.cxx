@@ -101,6 +101,7 @@ MesoHeights MesoToHeights(
   heights.Image->SetSpacing(map->GetSpacing());
   heights.Image->SetOrigin(map->GetOrigin());
   heights.Image->AllocateScalars(VTK_FLOAT, 1);
+  heights.Numbers = { work.Range[isDepth ? 1 : 0], work.Range[isDepth ? 0 : 1] };
   work.Values = map->GetScalarPointer();
   work.Components = map->GetNumberOfScalarComponents();
   work.Count = static_cast<vtkIdType>(size[0]) * size[1];

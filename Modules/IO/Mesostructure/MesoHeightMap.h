@@ -21,8 +21,9 @@ struct MesoHeights
 {
   /// One component, float, in [0,1], 0 lowest; size, spacing and origin are those of the map.
   vtkSmartPointer<vtkImageData> Image;
-  vtkIdType NumberOfClamped = 0;     ///< values outside the range, set to its ends
-  std::vector<std::string> Warnings; ///< what a user should be told, a line each
+  std::array<double, 2> Numbers = { 0., 1. }; ///< stored numbers of the heights 0 and 1
+  vtkIdType NumberOfClamped = 0;              ///< values outside the range, set to its ends
+  std::vector<std::string> Warnings;          ///< what a user should be told, a line each
 };
 
 /**

@@ -11,6 +11,7 @@
 namespace
 {
 constexpr std::uintmax_t LargestFile = 64u << 20;
+constexpr std::size_t MostClippingPlanes = 6; // what VTK draws
 constexpr double Pi = 3.14159265358979323846;
 
 MesoVector3 Subtract(const MesoVector3& a, const MesoVector3& b)
@@ -250,6 +251,12 @@ MesoSceneNode ReadNode(const MesoSceneValue& value)
       .At("color_by")
       .Fail("height is that of a height_map or a depth_map, and the node has none");
   }
+  if (node.Material.Contours && !node.Map)
+  {
+    value.At("material")
+      .At("contours")
+      .Fail("contour lines are those of a height_map or a depth_map, and the node has none");
+  }
   value.With("children",
     [&](const MesoSceneValue& children)
     {
@@ -289,6 +296,19 @@ MesoScene ReadScene(const MesoSceneValue& value, const std::string& fileName)
   value.With("background",
     [&](const MesoSceneValue& color)
     { scene.Background = color.ToNumbers<3>(MesoSceneRanges::Fraction); });
+  value.With("clipping_planes",
+    [&](const MesoSceneValue& planes)
+    {
+      for (const MesoSceneValue& plane : planes.ToList())
+      {
+        const auto parts = plane.ToList(2);
+        scene.ClippingPlanes.push_back({ parts[0].ToNumbers<3>(), parts[1].ToDirection() });
+      }
+      if (scene.ClippingPlanes.size() > MostClippingPlanes)
+      {
+        planes.Fail("at most " + std::to_string(MostClippingPlanes) + " planes can be drawn");
+      }
+    });
   value.With("nodes",
     [&](const MesoSceneValue& nodes)
     {

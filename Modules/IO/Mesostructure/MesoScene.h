@@ -73,11 +73,38 @@ struct MesoSceneColorBy
   bool IsHeight() const { return this->Array == "height"; }
 };
 
+/// What the numbers of contour lines and scalar bars count.
+enum class MesoSceneHeightUnit
+{
+  Height, ///< 0 at the deepest point, 1 at the mesh
+  Map     ///< the numbers stored in the map
+};
+
+/// Contour lines of the relief's height; either a spacing or values.
+struct MesoSceneContours
+{
+  double Spacing = 0.; ///< > 0: lines at all its multiples
+  std::vector<double> Values;
+  MesoSceneHeightUnit ValuesOf = MesoSceneHeightUnit::Height;
+  MesoVector3 Color = { 0., 0., 0. };
+  double Width = 1.5; ///< pixels
+};
+
+/// A scalar bar beside the picture: which colors stand for which numbers.
+struct MesoSceneScalarBar
+{
+  std::string Title; ///< empty: what color_by names
+  std::string Units; ///< shown in brackets behind the title, or empty
+  MesoSceneHeightUnit ValuesOf = MesoSceneHeightUnit::Height; ///< of heights
+};
+
 struct MesoSceneMaterial
 {
   MesoVector3 Color = { 1., 1., 1. };
   std::string ColorMap; ///< resolved file name, or empty
   std::optional<MesoSceneColorBy> ColorBy;
+  std::optional<MesoSceneContours> Contours;
+  std::optional<MesoSceneScalarBar> ScalarBar; ///< only with ColorBy
   double Ambient = 0.;
   double Diffuse = 1.;
   double Specular = 0.;
@@ -122,6 +149,13 @@ struct MesoSceneNode
   std::vector<MesoSceneNode> Children;
 };
 
+/// What lies on the side that the normal points to is drawn, the rest is cut away. World space.
+struct MesoSceneClippingPlane
+{
+  MesoVector3 Point = { 0., 0., 0. };
+  MesoVector3 Normal = { 0., 0., 1. }; ///< unit
+};
+
 struct MesoScene
 {
   std::string File;
@@ -129,6 +163,7 @@ struct MesoScene
   /// No `lights` key: one headlight; an empty list: none.
   std::vector<MesoSceneLight> Lights = { MesoSceneLight() };
   MesoVector3 Background = { 0., 0., 0. };
+  std::vector<MesoSceneClippingPlane> ClippingPlanes; ///< at most 6
   std::vector<MesoSceneNode> Nodes;
 };
 

@@ -11,8 +11,8 @@ namespace
 std::vector<MesoSceneKeyGroup> MakeTable()
 {
   std::vector<MesoSceneKeyGroup> table = {
-    { "scene", { "meso", "camera", "lights", "background", "nodes" },
-      { "environment", "clipping_planes" } },
+    { "scene", { "meso", "camera", "lights", "background", "clipping_planes", "nodes" },
+      { "environment" } },
     { "camera",
       { "position", "focal_point", "view_up", "view_angle", "parallel_scale", "clipping_range" },
       {} },
@@ -25,10 +25,12 @@ std::vector<MesoSceneKeyGroup> MakeTable()
       { "name", "transform", "children", "mesh", "feature_angle", "material", "mesostructure" },
       {} },
     { "material",
-      { "color", "color_map", "color_by", "lookup_table", "ambient", "diffuse", "specular",
-        "specular_power", "opacity", "two_sided", "edges" },
+      { "color", "color_map", "color_by", "lookup_table", "scalar_bar", "contours", "ambient",
+        "diffuse", "specular", "specular_power", "opacity", "two_sided", "edges" },
       { "normal_map", "normal_map_y" } },
     { "lookup_table", { "name", "range" }, {} },
+    { "scalar_bar", { "title", "units", "values_of" }, {} },
+    { "contours", { "spacing", "values", "values_of", "color", "width" }, {} },
     { "mesostructure",
       { "technique", "height_map", "depth_map", "range", "sample_spacing", "scale", "reference",
         "tiles", "wrap", "quality", "search", "quadric", "effects" },

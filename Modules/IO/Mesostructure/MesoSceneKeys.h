@@ -16,7 +16,7 @@
 struct MesoSceneKeyGroup
 {
   /// "scene", "camera", "light", "transform", "node", "material", "lookup_table",
-  /// "mesostructure", "shape_<name>" and "pattern_<name>"; the JSON Schema defines each under the
+  /// "scalar_bar", "contours", "mesostructure", "shape_<name>" and "pattern_<name>"; the JSON Schema defines each under the
   /// same name.
   std::string Object;
   std::vector<std::string> Served; ///< read and used

@@ -1,6 +1,7 @@
 #include "MesoSceneSurface.h"
 
 #include "MesoColorMap.h"
+#include "MesoContourLines.h"
 #include "MesoPattern.h"
 #include "MesoShape.h"
 
@@ -139,6 +140,77 @@ void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
     });
 }
 
+MesoSceneHeightUnit ReadValuesOf(const MesoSceneValue& value)
+{
+  return ReadName(value, "kind of values", { "height", "map" }, {}) == "map"
+    ? MesoSceneHeightUnit::Map
+    : MesoSceneHeightUnit::Height;
+}
+
+MesoSceneContours ReadContours(const MesoSceneValue& value)
+{
+  value.CheckKeys("contours");
+  if (value.Has("spacing") == value.Has("values"))
+  {
+    value.Fail("needs either spacing or values");
+  }
+  MesoSceneContours contours;
+  value.With("spacing",
+    [&](const MesoSceneValue& spacing)
+    { contours.Spacing = spacing.ToNumber(MesoSceneRanges::Positive); });
+  value.With("values",
+    [&](const MesoSceneValue& values)
+    {
+      for (const MesoSceneValue& element : values.ToList())
+      {
+        contours.Values.push_back(element.ToNumber());
+      }
+      if (contours.Values.empty() || contours.Values.size() > MesoContourLines::MostHeights)
+      {
+        values.Fail("needs 1 to " + std::to_string(MesoContourLines::MostHeights) + " numbers");
+      }
+    });
+  value.With(
+    "values_of", [&](const MesoSceneValue& unit) { contours.ValuesOf = ReadValuesOf(unit); });
+  value.With("color",
+    [&](const MesoSceneValue& color)
+    { contours.Color = color.ToNumbers<3>(MesoSceneRanges::Fraction); });
+  value.With("width",
+    [&](const MesoSceneValue& width)
+    {
+      contours.Width = width.ToNumber({ 0., MesoContourLines::MostWidth, true });
+      if (contours.Width == 0.)
+      {
+        width.Fail("must be more than 0");
+      }
+    });
+  return contours;
+}
+
+/// `true`, or an object.
+std::optional<MesoSceneScalarBar> ReadScalarBar(
+  const MesoSceneValue& value, const MesoSceneColorBy& colorBy)
+{
+  if (value.IsBoolean())
+  {
+    return value.ToBoolean() ? std::make_optional(MesoSceneScalarBar()) : std::nullopt;
+  }
+  value.CheckKeys("scalar_bar");
+  MesoSceneScalarBar bar;
+  value.With("title", [&](const MesoSceneValue& title) { bar.Title = title.ToText(); });
+  value.With("units", [&](const MesoSceneValue& units) { bar.Units = units.ToText(); });
+  value.With("values_of",
+    [&](const MesoSceneValue& unit)
+    {
+      if (!colorBy.IsHeight())
+      {
+        unit.Fail("is for color_by height");
+      }
+      bar.ValuesOf = ReadValuesOf(unit);
+    });
+  return bar;
+}
+
 MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique technique)
 {
   const MesoEffects provided = MesoEffectsOfTechnique(technique);
@@ -218,11 +290,16 @@ MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value)
     material.ColorBy = ReadColorBy(value.At("color_by"));
     value.With("lookup_table",
       [&](const MesoSceneValue& table) { ReadLookupTable(table, *material.ColorBy); });
+    value.With("scalar_bar",
+      [&](const MesoSceneValue& bar)
+      { material.ScalarBar = ReadScalarBar(bar, *material.ColorBy); });
   }
   else
   {
-    value.Refuse({ "lookup_table" }, "there is no color_by that it is of");
+    value.Refuse({ "lookup_table", "scalar_bar" }, "there is no color_by that it is of");
   }
+  value.With("contours",
+    [&](const MesoSceneValue& contours) { material.Contours = ReadContours(contours); });
   fraction("ambient", material.Ambient);
   fraction("diffuse", material.Diffuse);
   fraction("specular", material.Specular);

@@ -54,6 +54,7 @@ public:
   [[noreturn]] void Fail(const std::string& reason) const;
 
   bool IsString() const { return this->Value->Type == MesoJsonValue::Kind::String; }
+  bool IsBoolean() const { return this->Value->Type == MesoJsonValue::Kind::Boolean; }
   bool IsNumber() const { return this->Value->Type == MesoJsonValue::Kind::Number; }
 
   bool ToBoolean() const;

@@ -2,6 +2,7 @@
 
 #include "MesoAlgorithmRun.h"
 #include "MesoHeightMap.h"
+#include "MesoScalarBar.h"
 #include "MesoSurfaceColors.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -19,12 +20,14 @@
 #include "vtkMesoShapeSource.h"
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkMesoTessellatedMapper.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkReverseSense.h"
+#include "vtkScalarBarActor.h"
 #include "vtkTexture.h"
 
 #include <cmath>
@@ -187,8 +190,7 @@ void MesoSceneBuilder::AddLight(
   renderer->AddLight(target);
 }
 
-vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeHeightMap(
-  const MesoSceneMap& map, const std::string& place)
+MesoHeights MesoSceneBuilder::MakeHeights(const MesoSceneMap& map, const std::string& place)
 {
   vtkSmartPointer<vtkImageData> stored;
   if (map.File.empty())
@@ -213,12 +215,12 @@ vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeHeightMap(
   }
   try
   {
-    const MesoHeights heights = MesoToHeights(stored, map.IsDepth, map.Range);
+    MesoHeights heights = MesoToHeights(stored, map.IsDepth, map.Range);
     for (const std::string& warning : heights.Warnings)
     {
       this->Warnings.push_back(place + ": " + warning);
     }
-    return heights.Image;
+    return heights;
   }
   catch (const MesoInputError& problem)
   {
@@ -349,6 +351,31 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
   return diced->GetOutput();
 }
 
+void MesoSceneBuilder::AddScalars(const MesoSceneMaterial& material, const Object& object,
+  const std::string& inScene, vtkRenderer* renderer)
+{
+  object.Mapper->ScalarVisibilityOff();
+  if (material.ColorBy)
+  {
+    MesoSetSurfaceColors(*material.ColorBy, object.Mesh, object.Mapper);
+  }
+  if (material.Contours)
+  {
+    const MesoContourLines lines =
+      MesoContoursOfScene(*material.Contours, object.Mapper->GetMapNumbers());
+    if (!lines.Problem().empty())
+    {
+      throw MesoInputError(inScene + ".contours: " + lines.Problem());
+    }
+    object.Mapper->SetContourLines(lines);
+  }
+  if (material.ScalarBar)
+  {
+    renderer->AddActor2D(MesoMakeScalarBar(
+      *material.ScalarBar, *material.ColorBy, object.Mapper, this->BarCount++, renderer));
+  }
+}
+
 void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node,
   const std::string& place, const std::array<double, 16>& parentMatrix, vtkRenderer* renderer)
 {
@@ -361,9 +388,11 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     object.Name = node.Name;
     object.Options = node.Mesostructure;
     const std::string inScene = scene.File + ": " + place;
+    MesoHeights heights;
     if (node.Map)
     {
-      object.HeightMap = this->MakeHeightMap(*node.Map, inScene + ".mesostructure");
+      heights = this->MakeHeights(*node.Map, inScene + ".mesostructure");
+      object.HeightMap = heights.Image;
     }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
@@ -412,11 +441,15 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
         ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")
         : object.Mesh);
-    object.Mapper->ScalarVisibilityOff();
-    if (node.Material.ColorBy)
+    object.Mapper->SetMapNumbers(heights.Numbers[0], heights.Numbers[1]);
+    for (const MesoSceneClippingPlane& clip : scene.ClippingPlanes)
     {
-      MesoSetSurfaceColors(*node.Material.ColorBy, object.Mesh, object.Mapper);
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(clip.Point.data());
+      plane->SetNormal(clip.Normal.data());
+      object.Mapper->AddClippingPlane(plane);
     }
+    this->AddScalars(node.Material, object, inScene + ".material", renderer);
 
     object.Actor = vtkSmartPointer<vtkActor>::New();
     object.Actor->SetMapper(object.Mapper);
@@ -442,6 +475,7 @@ void MesoSceneBuilder::Build(const MesoScene& scene, vtkRenderer* renderer)
   this->Objects.clear();
   this->Warnings.clear();
   this->NodeCount = 0;
+  this->BarCount = 0;
   renderer->SetBackground(scene.Background[0], scene.Background[1], scene.Background[2]);
   renderer->AutomaticLightCreationOff();
   renderer->RemoveAllLights();

@@ -10,6 +10,7 @@
 
 class vtkActor;
 class vtkImageData;
+struct MesoHeights;
 class vtkMesoPolyDataMapper;
 class vtkPolyData;
 class vtkRenderer;
@@ -50,8 +51,11 @@ private:
   void AddNode(const MesoScene& scene, const MesoSceneNode& node, const std::string& place,
     const std::array<double, 16>& parentMatrix, vtkRenderer* renderer);
   void AddLight(const MesoSceneLight& light, const MesoSceneCamera& camera, vtkRenderer* renderer);
+  /// Colours, contour lines and a scalar bar of the object's numbers.
+  void AddScalars(const MesoSceneMaterial& material, const Object& object,
+    const std::string& inScene, vtkRenderer* renderer);
   void SetCamera(const MesoSceneCamera& camera, vtkRenderer* renderer);
-  vtkSmartPointer<vtkImageData> MakeHeightMap(const MesoSceneMap& map, const std::string& place);
+  MesoHeights MakeHeights(const MesoSceneMap& map, const std::string& place);
   vtkSmartPointer<vtkPolyData> MakeMesh(
     const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);
   /// The base moved outward to where height 1 lies, with frames fitted there.
@@ -65,6 +69,7 @@ private:
 
   std::vector<Object> Objects;
   std::vector<std::string> Warnings;
+  int BarCount = 0;
   int NodeCount = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include "MesoShaderAssembler.h"
 #include "MesoShaderLibrary.h"
+#include "MesoTechniqueShader.h"
 
 namespace
 {
@@ -31,6 +32,42 @@ void Before(MesoShaderAssembler& shader, const char* hook, const std::string& ch
 {
   shader.Before(hook, chunk, MesoShaderText(chunk));
 }
+}
+
+void MesoShaderBuild::Define(const MesoShaderShape& shape)
+{
+  this->Chunks = shape.Chunks;
+  this->VertexChunks = shape.VertexChunks;
+  std::vector<std::pair<std::string, std::string>> defines;
+  const auto define = [&](const char* name, bool on)
+  {
+    if (on)
+    {
+      defines.emplace_back(name, "");
+    }
+  };
+  define("MESO_SURFACE", this->Surface);
+  define("MESO_AOV", this->Numbers && this->Surface);
+  define("MESO_HEIGHT_COLORS", this->HeightColored);
+  define("MESO_CLIPPED", this->Clipped);
+  define("MESO_DIFFERENTIAL", this->UsesDifferential());
+  define("MESO_LIT", this->Lit);
+  define("MESO_LIGHTING", this->OwnLighting);
+  define("MESO_HEADLIGHT", this->LightComplexity == 1);
+  define("MESO_SPECULAR", this->Specular);
+  define("MESO_TEXTURE_TRANSFORM", this->Textured && this->TextureMoved);
+  defines.emplace_back("MESO_LIGHT_COUNT", std::to_string(this->LightCount));
+  if (this->Contoured)
+  {
+    defines.emplace_back("MESO_CONTOUR_HEIGHTS", std::to_string(this->ContourHeights));
+  }
+  if (this->Surface)
+  {
+    define("MESO_FRAME", shape.UsesFrame);
+    define("MESO_DISPLACED", shape.Displaced);
+    defines.insert(defines.end(), shape.Defines.begin(), shape.Defines.end());
+  }
+  this->Definitions = MesoShaderAssembler::DefineLines(defines);
 }
 
 void MesoShaderBuild::SpliceVertexShader(MesoShaderAssembler& vertex) const
@@ -65,6 +102,11 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
     {
       Before(fragment, declarations, chunk);
     }
+    if (this->UsesDifferential())
+    {
+      Before(fragment, declarations, "Common/DifferentialDec.glsl");
+      Before(fragment, "//VTK::UniformFlow::Impl", "Common/DifferentialImpl.glsl");
+    }
     if (this->Textured)
     {
       // Derivatives are taken before a miss discards the fragment: undefined after that.
@@ -72,12 +114,24 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
       Before(fragment, "//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl");
     }
     Before(fragment, "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl");
+    if (this->Clipped)
+    {
+      Before(fragment, declarations, "Common/ClipDec.glsl");
+      Before(fragment, "//VTK::UniformFlow::Impl", "Common/ClipImpl.glsl");
+    }
   }
   if (this->HeightColored)
   {
     Before(fragment, declarations, "Common/HeightColorDec.glsl");
     fragment.After("//VTK::Color::Impl", "Common/HeightColorImpl.glsl",
       MesoShaderText("Common/HeightColorImpl.glsl"));
+  }
+  if (this->Contoured)
+  {
+    Before(fragment, declarations, "Kernels/Contour.glsl");
+    Before(fragment, declarations, "Common/ContourDec.glsl");
+    fragment.After(
+      "//VTK::TCoord::Impl", "Common/ContourImpl.glsl", MesoShaderText("Common/ContourImpl.glsl"));
   }
   if (this->WritesDepth)
   {

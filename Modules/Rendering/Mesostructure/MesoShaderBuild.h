@@ -5,6 +5,7 @@
 #include <vector>
 
 class MesoShaderAssembler;
+struct MesoShaderShape;
 
 /**
  * @class MesoShaderBuild
@@ -22,11 +23,23 @@ struct MesoShaderBuild
   bool OwnLighting = false;   ///< Shaders/Common/Lighting.glsl in place of VTK's
   bool Textured = false;      ///< colour textures are read where the ray hit
   bool HeightColored = false; ///< the colour is that of the height where the ray hit
+  bool Contoured = false;     ///< contour lines of the height are drawn where the ray hit
+  bool Clipped = false;       ///< clipping planes cut what the rays hit
+  bool Numbers = false;       ///< every pixel's hit is written out as numbers
+  bool Specular = false;      ///< the material has a highlight
+  bool TextureMoved = false;  ///< the actor carries a texture transform
+  int ContourHeights = 0;     ///< contour lines given one by one
   int LightComplexity = 0;    ///< VTK's: 0 none, 1 a headlight, 2 directional lights, 3 any
   int LightCount = 0;
   std::vector<std::string> Chunks;       ///< kernels and technique
   std::vector<std::string> VertexChunks; ///< kernels of the vertex stage
   std::string Definitions;               ///< `#define` lines; unequal ones ask for a new shader
+
+  /// Take the technique's chunks, and make the definitions of it and of all the above.
+  void Define(const MesoShaderShape& shape);
+
+  /// Whether what is drawn where the ray hit needs to know the hit's step to the next pixel.
+  bool UsesDifferential() const { return this->Contoured; }
 
   void SpliceVertexShader(MesoShaderAssembler& vertex) const;
   void SpliceGeometryShader(MesoShaderAssembler& geometry) const;

@@ -2,11 +2,9 @@
 
 #include "MesoShaderTable.h" // generated: MesoShaderTable, pairs of name and text
 
-#ifndef NDEBUG
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#endif
 
 namespace
 {
@@ -44,6 +42,18 @@ std::string MesoShaderText(const std::string& name)
     }
   }
   return {};
+}
+
+void MesoDumpShader(const char* stage, const std::string& text)
+{
+  const char* folder = std::getenv("MESO_DUMP_SHADERS");
+  if (folder && *folder && !text.empty())
+  {
+    static int number = 0;
+    std::ofstream(
+      std::string(folder) + "/shader" + std::to_string(number++) + "." + stage + ".glsl")
+      << text;
+  }
 }
 
 std::vector<std::string> MesoShaderNames()

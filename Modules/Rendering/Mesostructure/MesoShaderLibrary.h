@@ -18,6 +18,10 @@
 /// none.
 MESORENDERINGMESOSTRUCTURE_EXPORT std::string MesoShaderText(const std::string& name);
 
+/// Write an assembled shader to the folder that the environment variable MESO_DUMP_SHADERS names, as
+/// shader<n>.<stage>.glsl with n counted over the process. Without the variable, or a text, nothing.
+void MesoDumpShader(const char* stage, const std::string& text);
+
 /// The names of all texts.
 MESORENDERINGMESOSTRUCTURE_EXPORT std::vector<std::string> MesoShaderNames();
 

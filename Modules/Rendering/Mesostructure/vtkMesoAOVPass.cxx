@@ -67,8 +67,12 @@ void vtkMesoAOVPass::PrintSelf(ostream& os, vtkIndent indent)
 
 void vtkMesoAOVPass::SetObjectNumber(vtkProp* prop, int number)
 {
-  this->ObjectNumbers[prop] = number;
-  this->Modified();
+  int& held = this->ObjectNumbers[prop];
+  if (held != number)
+  {
+    held = number;
+    this->Modified();
+  }
 }
 
 std::vector<std::string> vtkMesoAOVPass::GetChannelNames() const

@@ -4,10 +4,13 @@
 
 #include "MesoActorPasses.h"
 #include "MesoHeightColors.h"
+#include "MesoHitTextures.h"
 #include "MesoShaderAssembler.h"
 #include "MesoShaderBuild.h"
 #include "MesoShaderLibrary.h"
+#include "MesoSurfaceUniforms.h"
 #include "MesoTechniqueShader.h"
+#include "MesoVertexAttributes.h"
 #include "MesoViewMatrices.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
@@ -30,28 +33,12 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 
 vtkStandardNewMacro(vtkMesoPolyDataMapper);
 
-namespace
-{
-void DumpShader(const char* stage, const std::string& text)
-{
-  const char* folder = std::getenv("MESO_DUMP_SHADERS");
-  if (folder && *folder && !text.empty())
-  {
-    static int number = 0;
-    std::ofstream(
-      std::string(folder) + "/shader" + std::to_string(number++) + "." + stage + ".glsl")
-      << text;
-  }
-}
-}
-
 vtkMesoPolyDataMapper::vtkMesoPolyDataMapper()
   : Plain(std::make_unique<MesoTechniqueShader>())
+  , Attributes(std::make_unique<MesoVertexAttributes>())
   , HeightColors(std::make_unique<MesoHeightColors>())
 {
 }
@@ -66,6 +53,9 @@ void vtkMesoPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Wrap: " << MesoName(this->Options.Wrap) << "\n";
   os << indent << "Quality: " << MesoName(this->Options.Quality) << "\n";
   os << indent << "HeightColors: " << this->GetHeightColors() << "\n";
+  os << indent << "ContourLines: spacing " << this->ContourLines.Spacing << ", "
+     << this->ContourLines.Heights.size() << " heights, width " << this->ContourLines.Width << "\n";
+  os << indent << "MapNumbers: " << this->MapNumbers[0] << " " << this->MapNumbers[1] << "\n";
   os << indent << "Effects:";
   for (const std::string& name : this->EffectsDrawn.Names())
   {
@@ -142,6 +132,43 @@ vtkLookupTable* vtkMesoPolyDataMapper::GetHeightColors() const
   return this->HeightColors->GetTable();
 }
 
+void vtkMesoPolyDataMapper::SetContourLines(const MesoContourLines& lines)
+{
+  const std::string problem = lines.Problem();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return;
+  }
+  this->ContourLines = lines;
+  this->Modified();
+}
+
+void vtkMesoPolyDataMapper::SetMapNumbers(double atZero, double atOne)
+{
+  this->MapNumbers = { atZero, atOne };
+}
+
+bool vtkMesoPolyDataMapper::DrawsContours(const MesoShaderShape& shape) const
+{
+  const bool readsHeights = shape.Traces && shape.UsesFrame &&
+    std::find(shape.Chunks.begin(), shape.Chunks.end(), "Kernels/HeightField.glsl") !=
+      shape.Chunks.end();
+  return !this->ContourLines.Empty() && (readsHeights || shape.Displaced);
+}
+
+void vtkMesoPolyDataMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkMesoPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->SetOptions(other->Options);
+    this->SetHeightColors(other->GetHeightColors());
+    this->SetContourLines(other->ContourLines);
+    this->SetMapNumbers(other->MapNumbers[0], other->MapNumbers[1]);
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
 MesoTechniqueShader* vtkMesoPolyDataMapper::GetTechnique()
 {
   return this->Plain.get();
@@ -166,25 +193,7 @@ std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor
   {
     return "Shadow map passes do not see the displaced surface yet: the base mesh is drawn.";
   }
-  vtkPointData* points = this->CurrentInput->GetPointData();
-  std::string missing;
-  // Attributes of a shader are mapped by the arrays' names.
-  if (!points->GetNormals() || !points->GetNormals()->GetName())
-  {
-    missing += " named normals";
-  }
-  if (!points->GetTCoords() || !points->GetTCoords()->GetName() ||
-    points->GetTCoords()->GetNumberOfComponents() != 2)
-  {
-    missing += " named texture coordinates (2 components)";
-  }
-  for (const auto& attribute : shape.Attributes)
-  {
-    if (!points->GetArray(attribute.second.c_str()))
-    {
-      missing += " " + attribute.second;
-    }
-  }
+  const std::string missing = MesoVertexAttributes::Missing(this->CurrentInput, shape);
   if (!missing.empty())
   {
     return "The input lacks" + missing +
@@ -192,39 +201,6 @@ std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor
       "vtkMesoQuadricFit quadrics.";
   }
   return {};
-}
-
-void vtkMesoPolyDataMapper::MapAttributes(const MesoShaderShape& shape, bool numbers)
-{
-  if (!shape.Traces && !numbers)
-  {
-    this->RemoveVertexAttributeMapping("mesoTCoord"); // left by AOVs
-    this->RemoveVertexAttributeMapping("mesoNormal");
-    for (const auto& attribute : shape.Attributes)
-    {
-      this->RemoveVertexAttributeMapping(attribute.first.c_str());
-    }
-    return;
-  }
-  vtkPointData* points = this->CurrentInput->GetPointData();
-  const auto map = [&](const char* attribute, vtkDataArray* array)
-  {
-    const auto mapped = this->ExtraAttributes.find(attribute);
-    const std::string now =
-      mapped == this->ExtraAttributes.end() ? std::string() : mapped->second.DataArrayName;
-    const std::string wanted = array && array->GetName() ? array->GetName() : "";
-    if (now != wanted)
-    {
-      this->MapDataArrayToVertexAttribute(attribute, wanted.empty() ? nullptr : wanted.c_str(),
-        vtkDataObject::FIELD_ASSOCIATION_POINTS);
-    }
-  };
-  map("mesoTCoord", points->GetTCoords());
-  map("mesoNormal", points->GetNormals());
-  for (const auto& attribute : shape.Attributes)
-  {
-    map(attribute.first.c_str(), points->GetArray(attribute.second.c_str()));
-  }
 }
 
 void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
@@ -241,10 +217,6 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->WarnOnce(this->WhyPlain);
   }
-  else if (shape.Traces && this->GetNumberOfClippingPlanes() > 0)
-  {
-    this->WarnOnce("Clipping planes cut the base mesh, not the relief below it.");
-  }
   this->EffectsDrawn = !this->WhyPlain.empty() || !(shape.Traces || shape.Displaced)
     ? MesoEffects()
     : (this->Options.Effects.Auto ? MesoEffectsOfTechnique(this->TechniqueOf(this->Options))
@@ -256,7 +228,15 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->WarnOnce(uncolored);
   }
-  this->MapAttributes(shape, MesoInPass<vtkMesoAOVPass>(actor) || this->HeightColorsReady);
+  if (shape.Traces || MesoInPass<vtkMesoAOVPass>(actor) || this->HeightColorsReady ||
+    this->DrawsContours(shape))
+  {
+    this->Attributes->Map(this, this->CurrentInput, shape);
+  }
+  else
+  {
+    this->Attributes->Clear(this);
+  }
   this->Superclass::RenderPieceStart(renderer, actor);
 }
 
@@ -292,42 +272,22 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   const MesoShaderShape shape =
     this->WhyPlain.empty() ? this->GetTechnique()->GetShape() : this->Plain->GetShape();
   build.Surface = triangles && !this->PointPicking &&
-    (shape.Traces || aov || this->HeightColorsReady) && points->GetNormals() &&
-    (points->GetTCoords() || !shape.Traces);
+    (shape.Traces || aov || this->HeightColorsReady || this->DrawsContours(shape)) &&
+    points->GetNormals() && (points->GetTCoords() || !shape.Traces);
   build.HeightColored = build.Surface && this->HeightColorsReady;
-  build.Chunks = shape.Chunks;
-  build.VertexChunks = shape.VertexChunks;
+  build.Contoured = build.Surface && this->DrawsContours(shape);
+  build.ContourHeights = static_cast<int>(this->ContourLines.Heights.size());
   build.Traces = build.Surface && shape.Traces;
+  build.Clipped = build.Traces && this->GetNumberOfClippingPlanes() > 0;
   build.WritesDepth = build.Traces && shape.WritesDepth;
-  build.Textured =
-    build.Traces && this->HaveTCoords(this->CurrentInput) && this->HasColorTextures(actor);
+  build.Textured = build.Traces && this->HaveTCoords(this->CurrentInput) &&
+    MesoHasColorTextures(this->GetTextures(actor));
 
-  std::vector<std::pair<std::string, std::string>> defines;
-  const auto define = [&](const char* name, bool on)
-  {
-    if (on)
-    {
-      defines.emplace_back(name, "");
-    }
-  };
-  define("MESO_SURFACE", build.Surface);
-  define("MESO_AOV", aov && build.Surface);
-  define("MESO_HEIGHT_COLORS", build.HeightColored);
-  define("MESO_LIT", build.Lit);
-  define("MESO_LIGHTING", build.OwnLighting);
-  define("MESO_HEADLIGHT", build.LightComplexity == 1);
-  define("MESO_SPECULAR", actor->GetProperty()->GetSpecular() != 0.0);
+  build.Numbers = aov;
+  build.Specular = actor->GetProperty()->GetSpecular() != 0.0;
   vtkInformation* keys = actor->GetPropertyKeys();
-  define("MESO_TEXTURE_TRANSFORM",
-    build.Textured && keys && keys->Has(vtkProp::GeneralTextureTransform()));
-  defines.emplace_back("MESO_LIGHT_COUNT", std::to_string(build.LightCount));
-  if (build.Surface)
-  {
-    define("MESO_FRAME", shape.UsesFrame);
-    define("MESO_DISPLACED", shape.Displaced);
-    defines.insert(defines.end(), shape.Defines.begin(), shape.Defines.end());
-  }
-  build.Definitions = MesoShaderAssembler::DefineLines(defines);
+  build.TextureMoved = keys && keys->Has(vtkProp::GeneralTextureTransform());
+  build.Define(shape);
   return build;
 }
 
@@ -343,32 +303,6 @@ bool vtkMesoPolyDataMapper::GetNeedToRebuildShaders(
   }
   built = wanted;
   return true;
-}
-
-bool vtkMesoPolyDataMapper::HasColorTextures(vtkActor* actor)
-{
-  const auto textures = this->GetTextures(actor);
-  return std::any_of(textures.begin(), textures.end(),
-    [](const auto& texture) { return texture.second != "colortexture"; }); // scalar colours
-}
-
-void vtkMesoPolyDataMapper::ReadTexturesAtHit(MesoShaderAssembler& fragment, vtkActor* actor)
-{
-  for (const auto& texture : this->GetTextures(actor))
-  {
-    if (texture.second == "colortexture" || texture.first->GetCubeMap())
-    {
-      continue; // scalar colours, environments
-    }
-    const std::string asWritten = "texture(" + texture.second + ", tcoordVCVSOutput)";
-    // A texture that VTK has no use for is not read; the actor's own always is.
-    const int count = fragment.Count(asWritten);
-    if (count > 0 || texture.second == "actortexture")
-    {
-      fragment.Rename(
-        asWritten, "textureAtHit(" + texture.second + ", tcoordVCVSOutput)", std::max(1, count));
-    }
-  }
 }
 
 void vtkMesoPolyDataMapper::Report(const MesoShaderAssembler& assembler)
@@ -407,16 +341,16 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
   if (build.Textured)
   {
     MesoShaderAssembler textured("fragment shader", shaders[vtkShader::Fragment]->GetSource());
-    this->ReadTexturesAtHit(textured, actor);
+    MesoReadTexturesAtHit(textured, this->GetTextures(actor));
     shaders[vtkShader::Fragment]->SetSource(textured.GetText());
     this->Report(textured);
   }
   this->Report(vertex);
   this->Report(geometry);
   this->Report(fragment);
-  DumpShader("vert", shaders[vtkShader::Vertex]->GetSource());
-  DumpShader("geom", shaders[vtkShader::Geometry]->GetSource());
-  DumpShader("frag", shaders[vtkShader::Fragment]->GetSource());
+  MesoDumpShader("vert", shaders[vtkShader::Vertex]->GetSource());
+  MesoDumpShader("geom", shaders[vtkShader::Geometry]->GetSource());
+  MesoDumpShader("frag", shaders[vtkShader::Fragment]->GetSource());
 }
 
 void vtkMesoPolyDataMapper::ReplaceShaderLight(
@@ -432,6 +366,16 @@ void vtkMesoPolyDataMapper::ReplaceShaderLight(
   build.AddLighting(fragment, static_cast<vtkOpenGLRenderer*>(renderer)->GetLightingUniforms());
   shaders[vtkShader::Fragment]->SetSource(fragment.GetText());
   this->Report(fragment);
+}
+
+void vtkMesoPolyDataMapper::ReplaceShaderClip(
+  Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  // VTK's planes cut the base mesh; those of the hit are in the shader already.
+  if (!this->DescribeBuild(*this->LastBoundBO, actor).Clipped)
+  {
+    this->Superclass::ReplaceShaderClip(shaders, renderer, actor);
+  }
 }
 
 void vtkMesoPolyDataMapper::ReplaceShaderCoincidentOffset(
@@ -472,6 +416,7 @@ void vtkMesoPolyDataMapper::SetMapperShaderParameters(
   {
     this->GetTechnique()->SetUniforms(cellBO.Program);
   }
+  MesoSetContourUniforms(cellBO.Program, this->ContourLines);
   if (this->HeightColorsReady)
   {
     this->HeightColors->SetUniforms(cellBO.Program);
@@ -484,18 +429,18 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
   vtkOpenGLVertexBufferObject* positions = this->VBOs->GetVBO("vertexMC");
   const bool moved = positions && positions->GetCoordShiftAndScaleEnabled();
+  if (this->ClippingPlanes)
+  {
+    MesoSetClipUniforms(cellBO.Program, this->ClippingPlanes, renderer);
+  }
   MesoSetViewMatrices(cellBO.Program, renderer, actor, moved ? this->VBOShiftScale.Get() : nullptr);
 }
 
 std::size_t vtkMesoPolyDataMapper::GetGPUBytes()
 {
   std::size_t bytes = this->GetTechnique()->GetGPUBytes() + this->HeightColors->GetGPUBytes();
-  std::vector<std::string> buffers = { "vertexMC", "normalMC", "scalarColor", "tcoord",
-    "mesoTCoord", "mesoNormal" };
-  for (const auto& attribute : this->GetTechnique()->GetShape().Attributes)
-  {
-    buffers.push_back(attribute.first);
-  }
+  std::vector<std::string> buffers = this->Attributes->Names();
+  buffers.insert(buffers.end(), { "vertexMC", "normalMC", "scalarColor", "tcoord" });
   for (const std::string& name : buffers)
   {
     if (vtkOpenGLVertexBufferObject* buffer = this->VBOs->GetVBO(name.c_str()))

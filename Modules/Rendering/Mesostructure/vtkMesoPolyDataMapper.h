@@ -23,7 +23,8 @@
  * lie: they are refused with a warning and the base mesh is drawn. Seen from behind, where back faces
  * are not culled, the base mesh is drawn. A mirrored matrix turns front and back, as for any VTK
  * actor. Physically based materials are
- * lit by VTK, without self-shadow. Clipping planes cut the base mesh.
+ * lit by VTK, without self-shadow. Clipping planes, at most six, cut the surface that is drawn, not the
+ * base mesh.
  *
  * The environment variable MESO_DUMP_SHADERS names a folder to which each shader that is built is
  * written.
@@ -34,10 +35,12 @@
 #ifndef vtkMesoPolyDataMapper_h
 #define vtkMesoPolyDataMapper_h
 
+#include "MesoContourLines.h"                 // for the lines drawn
 #include "MesoOptions.h"                      // for MesoMesostructureOptions
 #include "mesoRenderingMesostructureModule.h" // for export macro
 #include "vtkOpenGLPolyDataMapper.h"
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -46,6 +49,7 @@
 class MesoHeightColors;
 class MesoShaderAssembler;
 class MesoTechniqueShader;
+class MesoVertexAttributes;
 struct MesoShaderBuild;
 struct MesoShaderShape;
 class vtkLookupTable;
@@ -87,6 +91,29 @@ public:
   vtkLookupTable* GetHeightColors() const;
   ///@}
 
+  ///@{
+  /**
+   * Lines of equal height on the surface that is drawn, smooth and as wide on the screen everywhere;
+   * over textures and unlit, as ink. Where the base mesh is drawn there are none. Numbers are
+   * uniforms; lines where there were none, or another number of Heights, build the shader anew.
+   */
+  void SetContourLines(const MesoContourLines& lines);
+  const MesoContourLines& GetContourLines() const { return this->ContourLines; }
+  ///@}
+
+  ///@{
+  /**
+   * What the numbers of the height map's file were at the heights 0 and 1, for those who read heights
+   * off the picture (vtkMesoPicker). Changes nothing that is drawn. Default 0, 1.
+   */
+  void SetMapNumbers(double atZero, double atOne);
+  const std::array<double, 2>& GetMapNumbers() const { return this->MapNumbers; }
+  ///@}
+
+  /// Draw as another mapper does: VTK's part, the options, the colours and the contour lines. The
+  /// tables, maps and input are shared.
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
   /// The effects that the shader of the last frame had compiled in.
   MesoEffects GetEffectsDrawn() const { return this->EffectsDrawn; }
 
@@ -120,6 +147,7 @@ protected:
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderValues(Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderLight(Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderClip(Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderCoincidentOffset(
     Shaders shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void SetMapperShaderParameters(
@@ -135,9 +163,7 @@ private:
 
   /// Why the technique cannot be drawn on the input or in these passes; empty when it can.
   std::string WhyNot(const MesoShaderShape& shape, vtkActor* actor);
-  void MapAttributes(const MesoShaderShape& shape, bool numbers);
-  bool HasColorTextures(vtkActor* actor);
-  void ReadTexturesAtHit(MesoShaderAssembler& fragment, vtkActor* actor);
+  bool DrawsContours(const MesoShaderShape& shape) const;
   void Report(const MesoShaderAssembler& assembler);
   void WarnOnce(const std::string& reason);
 
@@ -146,6 +172,9 @@ private:
   std::string WhyPlain; ///< why the technique cannot be drawn in this frame
   std::string LastWarning;
   MesoEffects EffectsDrawn;
+  MesoContourLines ContourLines;
+  std::array<double, 2> MapNumbers = { 0., 1. };
+  std::unique_ptr<MesoVertexAttributes> Attributes;
   std::unique_ptr<MesoHeightColors> HeightColors;
   bool HeightColorsReady = false; ///< in this frame
   std::map<const vtkOpenGLHelper*, std::string> BuiltKeys;

@@ -64,6 +64,14 @@ std::string NotShown(const MesoSceneBuilder::Object& object)
   {
     return "colors by arrays or heights (color_by)";
   }
+  if (!object.Mapper->GetContourLines().Empty())
+  {
+    return "contour lines (contours)";
+  }
+  if (object.Mapper->GetNumberOfClippingPlanes() > 0)
+  {
+    return "clipping planes (clipping_planes)";
+  }
   return {};
 }
 

@@ -1,0 +1,5 @@
+  vec2 mesoKept = keptStretch(mesoFragment.PositionVC, mesoFragment.ViewVC);
+  if (mesoHit.RayLength < mesoKept.x || mesoHit.RayLength > mesoKept.y)
+  {
+    discard;
+  }
