@@ -46,13 +46,13 @@ std::string MesoFitFailure(const char* what, const Work& work)
   {
     work();
   }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
   catch (const std::bad_alloc&)
   {
     return std::string("there is not enough memory for the ") + what + " of this mesh";
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
   }
   return {};
 }

@@ -10,13 +10,9 @@
  * coordinates span no area, (x, y) are the barycentric coordinates of its second and third corner.
  */
 
+#include "MesoBox.h"
 #include "MesoShape.h"
 #include "mesoRenderingReferenceModule.h" // for export macro
-
-#ifndef GLM_FORCE_SWIZZLE
-#define GLM_FORCE_SWIZZLE // as MesoHeightTexture.h asks for
-#endif
-#include <glm/glm.hpp>
 
 #include <array>
 
@@ -53,13 +49,6 @@ struct MesoBaseBends
   double Nxy = 0.;
   double Nyy = 0.;
   bool Wild = false; ///< no bounds of N are known here but |N| <= 1
-};
-
-/// A box, of points in any space.
-struct MesoBox
-{
-  glm::dvec3 Low;
-  glm::dvec3 High;
 };
 
 class MESORENDERINGREFERENCE_EXPORT MesoBasePatch

@@ -15,8 +15,8 @@
  * MesoRayQuery::TestTriangle.
  */
 
-#include "MesoBasePatch.h"                // for MesoBox
-#include "mesoRenderingReferenceModule.h" // for export macro
+#include "MesoBox.h"                  // for what primitives fill
+#include "mesoFiltersSurfaceModule.h" // for export macro
 
 #include <array>
 #include <cstddef>
@@ -26,7 +26,7 @@
 #include <vector>
 
 /// A ray o + t d in double, and what it makes of the things that lie in its way.
-class MESORENDERINGREFERENCE_EXPORT MesoRayQuery
+class MESOFILTERSSURFACE_EXPORT MesoRayQuery
 {
 public:
   virtual ~MesoRayQuery() = default;
@@ -44,7 +44,7 @@ public:
   virtual bool TestTriangle(int geometry, unsigned int primitive, double t, bool front) = 0;
 };
 
-class MESORENDERINGREFERENCE_EXPORT MesoRayScene
+class MESOFILTERSSURFACE_EXPORT MesoRayScene
 {
 public:
   MesoRayScene();
