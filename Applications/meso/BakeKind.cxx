@@ -107,9 +107,12 @@ void BakeOutput::AddOptions(CLI::App& command, const std::string& what)
   AddStatsOption(command, this->StatsFile, "JSON file for time and memory");
 }
 
-void BakeOutput::Check(const std::string& input) const
+void BakeOutput::Check(
+  const std::vector<std::string>& inputs, const std::vector<std::string>& more) const
 {
-  CheckFileNames({ this->FileName, this->StatsFile }, { input });
+  std::vector<std::string> results = { this->FileName, this->StatsFile };
+  results.insert(results.end(), more.begin(), more.end());
+  CheckFileNames(results, inputs);
 }
 
 void BakeOutput::Update(vtkAlgorithm* algorithm)

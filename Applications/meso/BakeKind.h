@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkImageData;
@@ -69,8 +70,9 @@ public:
 
   const std::string& GetFileName() const { return this->FileName; }
 
-  /// Throws where a result could not be written or would go over the input.
-  void Check(const std::string& input) const;
+  /// Throws where a result, one of `more` too, could not be written or would go over an input.
+  void Check(
+    const std::vector<std::string>& inputs, const std::vector<std::string>& more = {}) const;
 
   /// Updates the algorithm under a progress bar; its first error is thrown. Takes the time of it.
   void Update(vtkAlgorithm* algorithm);

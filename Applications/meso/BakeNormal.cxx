@@ -1,7 +1,6 @@
 #include "BakeNormal.h"
 
-#include "CommandLine.h"
-#include "MesoImageFile.h"
+#include "BakeImages.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMesoNormalMap.h"
@@ -11,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <vector>
 
 namespace
 {
@@ -60,7 +58,7 @@ void BakeNormal::AddOptions(CLI::App& command)
 
 void BakeNormal::Run()
 {
-  this->Output.Check(this->Input.GetFileName());
+  this->Output.Check({ this->Input.GetFileName() });
   vtkNew<vtkMesoNormalMap> filter;
   filter->SetInputData(this->Input.Read());
   filter->SetWrap(this->Input.GetWrap());
@@ -69,28 +67,15 @@ void BakeNormal::Run()
   this->Output.Update(filter);
 
   vtkImageData* normals = filter->GetOutput();
-  vtkDataArray* tuples = normals->GetPointData()->GetScalars();
-  const int width = normals->GetDimensions()[0];
-  const int height = normals->GetDimensions()[1];
-  std::vector<float> values;
-  values.reserve(std::size_t(width) * height * 3);
-  for (int row = height - 1; row >= 0; --row)
+  if (!this->IsYUp)
   {
-    for (int column = 0; column < width; ++column)
+    vtkDataArray* tuples = normals->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < tuples->GetNumberOfTuples(); ++i)
     {
-      double normal[3];
-      tuples->GetTuple(vtkIdType(row) * width + column, normal);
-      normal[1] = this->IsYUp ? normal[1] : -normal[1];
-      for (const double component : normal)
-      {
-        values.push_back(static_cast<float>(0.5 * component + 0.5));
-      }
+      tuples->SetComponent(i, 1, -tuples->GetComponent(i, 1));
     }
   }
-  using Type = MesoImageHeader::Type;
-  const Type type = this->Bits == 8 ? Type::UnsignedChar
-    : this->Bits == 16              ? Type::UnsignedShort
-                                    : Type::Float;
-  MesoWriteImage(this->Output.GetFileName(), width, height, 3, type, values.data());
+  constexpr double half = 0.5; // [-1,1] -> [0,1]
+  BakeWriteImage(this->Output.GetFileName(), normals, "Normal", this->Bits, half, half);
   this->Output.WriteStats(this->GetName(), normals);
 }

@@ -1,5 +1,6 @@
 #include "CommandBake.h"
 
+#include "BakeFromMesh.h"
 #include "BakeNormal.h"
 
 #include <CLI/CLI.hpp>
@@ -7,6 +8,7 @@
 CommandBake::CommandBake(CLI::App& app)
   : Command(app.add_subcommand("bake", "Compute once, from a map, what a technique needs."))
 {
+  this->Kinds.push_back(std::make_unique<BakeFromMesh>());
   this->Kinds.push_back(std::make_unique<BakeNormal>());
   this->Command->require_subcommand(0, 1); // so that a mistyped kind is named
   for (const auto& kind : this->Kinds)

@@ -133,3 +133,72 @@ TEST(MesoBake, RefusesWhatMakesNoSense)
   ExpectRefused(folder.Bake("normal", "none/n.png"), 1, "there is no folder");
   EXPECT_EQ(folder.NumberOfFiles(), 1u);
 }
+
+namespace
+{
+/// A wall of two squares that differ in depth, and the flat square that it is baked onto.
+class MeshFolder
+{
+public:
+  MeshFolder()
+  {
+    this->Folder.Write("base.obj",
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
+    this->Folder.Write("bare.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    // The left half lies 0.1 below the base, the right half 0.3 above it.
+    this->Folder.Write("detail.obj",
+      "v 0 0 -.1\nv .5 0 -.1\nv .5 1 -.1\nv 0 1 -.1\n"
+      "v .5 0 .3\nv 1 0 .3\nv 1 1 .3\nv .5 1 .3\nf 1 2 3 4\nf 5 6 7 8\n");
+  }
+  std::string PathOf(const std::string& name) const { return this->Folder.PathOf(name); }
+  std::vector<std::string> Names() const { return this->Folder.Names(); }
+
+  MesoRun Bake(const std::string& base, const std::vector<std::string>& options) const
+  {
+    std::vector<std::string> arguments = { "bake", "from-mesh", this->PathOf("detail.obj"),
+      this->PathOf(base), "-o", this->PathOf("h.exr"), "--size", "16x8", "--reach", "0.5" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunMeso(arguments);
+  }
+
+private:
+  TemporaryFolder Folder;
+};
+}
+
+TEST(MesoBake, FromMeshSaysHowItsHeightsAreMeant)
+{
+  const MeshFolder folder;
+  const MesoRun run = folder.Bake("base.obj",
+    { "--json", "--normal", folder.PathOf("n.exr"), "--state", folder.PathOf("s.png") });
+  ASSERT_EQ(run.ExitCode, 0) << run.Messages;
+  const auto report = nlohmann::json::parse(run.Output);
+  EXPECT_NEAR(report["scale"], 0.4, 1e-7);
+  EXPECT_NEAR(report["reference"], 0.25, 1e-6);
+  EXPECT_EQ(report["met_texels"], 128);
+  EXPECT_EQ(report["void_texels"], 0);
+  EXPECT_EQ(report["fold_texels"], 16) << "the texels on either side of the step";
+  const MesoExrImage heights = MesoReadExr(folder.PathOf("h.exr"), {});
+  EXPECT_EQ(heights.Width, 16);
+  EXPECT_NEAR(heights.At(2, 3, 0), 0., 1e-6);
+  EXPECT_NEAR(heights.At(12, 3, 0), 1., 1e-6);
+  EXPECT_NEAR(MesoReadExr(folder.PathOf("n.exr"), { "B" }).At(2, 3, 0), 1., 1e-6);
+  MesoImageInput states(folder.PathOf("s.png"));
+  std::vector<unsigned char> values(states.Header().NumberOfValues());
+  states.Read(values.data(), MesoImageInput::RowOrder::TopFirst);
+  EXPECT_EQ(values[2], 85);
+  EXPECT_EQ(values[7], 255);
+}
+
+TEST(MesoBake, FromMeshRefusesWhatMakesNoSense)
+{
+  const MeshFolder folder;
+  ExpectRefused(folder.Bake("bare.obj", {}), 1, "has no texture coordinates");
+  ExpectRefused(folder.Bake("base.obj", { "--array", "Color" }), 2, "no NAME=FILE");
+  ExpectRefused(
+    folder.Bake("base.obj", { "--array", "Color=" + folder.PathOf("c.png") }), 1, "named Color");
+  ExpectRefused(folder.Bake("base.obj", { "--rays", "bent" }), 2, "interpolated, geometric");
+  ExpectRefused(folder.Bake("base.obj", { "--curvature", folder.PathOf("c.png") }), 2, ".exr");
+  ExpectRefused(folder.Bake("base.obj", { "--normal", folder.PathOf("base.obj") }), 1, "is read");
+  EXPECT_EQ(folder.Names().size(), 3u);
+}
