@@ -229,6 +229,26 @@ TEST(MapFromMesh, FillsWhatMeetsNothing)
   EXPECT_NEAR(Value(maps, "Displacement", 20, 7), Value(maps, "Displacement", 19, 7), 0.02);
 }
 
+TEST(MapFromMesh, LaysChartsOverTheMapsBorder)
+{
+  // The same base with its coordinates moved by 0.3 along u: the wave runs on over the border.
+  const auto base = FlatBase();
+  vtkDataArray* coordinates = base->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    coordinates->SetComponent(i, 0, coordinates->GetComponent(i, 0) + 0.3);
+  }
+  vtkNew<vtkMesoMapFromMesh> maps;
+  maps->SetInputData(base);
+  maps->SetDetailData(WavyDetail());
+  maps->SetSize(40, 30);
+  maps->Update();
+  EXPECT_EQ(maps->GetNumberOfMetTexels(), 40 * 30);
+  EXPECT_EQ(maps->GetNumberOfOverlappingTexels(), 0);
+  EXPECT_NEAR(Value(maps, "Displacement", 2, 7), Wave(2.5 / 40. + 0.7, 7.5 / 30.), 1e-4);
+  EXPECT_NEAR(Value(maps, "Displacement", 35, 7), Wave(35.5 / 40. - 0.3, 7.5 / 30.), 1e-4);
+}
+
 TEST(MapFromMesh, TellsFolds)
 {
   // A second sheet above the right half: the line meets the outer side twice there, and the nearest
@@ -359,12 +379,13 @@ TEST(MapFromMesh, RefusesWhatCannotBeBaked)
   bare->GetPointData()->Initialize();
   EXPECT_NE(Refusal(maps, bare, detail).find("texture coordinates"), std::string::npos);
   const auto wide = Grid(
-    2,
+    1,
     [](double u, double v) {
       return std::array<double, 3>{ u, v, 0. };
     },
     1.5);
-  EXPECT_NE(Refusal(maps, wide, detail).find("is (1.5, 0)"), std::string::npos);
+  EXPECT_NE(
+    Refusal(maps, wide, detail).find("triangle 0 is longer than the map"), std::string::npos);
   const auto far = Grid(2, [](double u, double v) { return std::array<double, 3>{ u, v, 50. }; });
   EXPECT_NE(
     Refusal(maps, base, far).find("nothing of the base meets the detail"), std::string::npos);

@@ -57,7 +57,6 @@ MesoMapFromMesh::MesoMapFromMesh(const MesoFitInput& base,
   : Base(base)
   , BaseCoordinates(baseCoordinates)
   , Detail(detail)
-  , DetailCoordinates(detailCoordinates)
   , Chosen(options)
   , Texels(MesoCoverTexels(baseCoordinates, base.Mesh.Triangles, options.Width, options.Height))
 {
@@ -78,7 +77,7 @@ MesoMapFromMesh::BasePoint MesoMapFromMesh::BaseAt(std::size_t texel) const
   const MesoTexturePoint& a = this->BaseCoordinates[corners[0]];
   const MesoTexturePoint& b = this->BaseCoordinates[corners[1]];
   const MesoTexturePoint& c = this->BaseCoordinates[corners[2]];
-  const auto weights = MesoWeightsAt(a, b, c, this->Texels.CentreOf(texel));
+  const auto weights = this->Texels.WeightsOf(texel);
   BasePoint point;
   point.Position = Mixed(this->Base.Mesh.Positions, corners, weights);
   const MesoVector facet =
@@ -128,9 +127,7 @@ MesoMapFromMesh::Texel MesoMapFromMesh::Look(std::size_t number) const
       return texel;
     }
     const Corners& corners = this->Detail.Mesh.Triangles[texel.Triangle];
-    texel.Weights =
-      MesoWeightsAt(this->DetailCoordinates[corners[0]], this->DetailCoordinates[corners[1]],
-        this->DetailCoordinates[corners[2]], this->Texels.CentreOf(number));
+    texel.Weights = this->DetailTexels.WeightsOf(number);
     const MesoVector way =
       MesoDifference(Mixed(this->Detail.Mesh.Positions, corners, texel.Weights), base.Position);
     texel.Displacement = MesoDot(way, base.Normal);

@@ -74,7 +74,6 @@ private:
   const MesoFitInput& Base;
   const std::vector<MesoTexturePoint>& BaseCoordinates;
   const MesoFitInput& Detail;
-  const std::vector<MesoTexturePoint>& DetailCoordinates;
   Options Chosen;
   MesoTexelCover Texels;
   MesoTexelCover DetailTexels;                      ///< by texture

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -9,11 +11,17 @@ namespace
 constexpr double OnEdge = 1e-9;
 
 /// The texels along an axis whose centres may lie between two coordinates: first and one past last.
-std::array<int, 2> TexelsBetween(double low, double high, int size)
+/// Numbered on over the map's ends.
+std::array<std::int64_t, 2> TexelsBetween(double low, double high, int size)
 {
-  const auto clamped = [&](double texel)
-  { return static_cast<int>(std::min(std::max(texel, 0.), static_cast<double>(size))); };
-  return { clamped(std::floor(low * size - 0.5)), clamped(std::ceil(high * size + 0.5)) };
+  return { static_cast<std::int64_t>(std::floor(low * size - 0.5)),
+    static_cast<std::int64_t>(std::ceil(high * size + 0.5)) };
+}
+
+std::size_t Wrapped(std::int64_t texel, int size)
+{
+  const std::int64_t rest = texel % size;
+  return static_cast<std::size_t>(rest < 0 ? rest + size : rest);
 }
 }
 
@@ -37,30 +45,45 @@ MesoTexelCover MesoCoverTexels(const std::vector<MesoTexturePoint>& coordinates,
   cover.Height = height;
   cover.Triangle.assign(std::size_t(width) * std::size_t(height), -1);
   std::vector<bool> inside(cover.Triangle.size(), false); // not just on an edge
+  cover.Weights.resize(cover.Triangle.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     const MesoTexturePoint& a = coordinates[triangles[t][0]];
     const MesoTexturePoint& b = coordinates[triangles[t][1]];
     const MesoTexturePoint& c = coordinates[triangles[t][2]];
-    const auto columns =
-      TexelsBetween(std::min({ a[0], b[0], c[0] }), std::max({ a[0], b[0], c[0] }), width);
-    const auto rows =
-      TexelsBetween(std::min({ a[1], b[1], c[1] }), std::max({ a[1], b[1], c[1] }), height);
-    for (int row = rows[0]; row < rows[1]; ++row)
+    double low[2];
+    double high[2];
+    for (int k = 0; k < 2; ++k)
     {
-      for (int column = columns[0]; column < columns[1]; ++column)
+      low[k] = std::min({ a[k], b[k], c[k] });
+      high[k] = std::max({ a[k], b[k], c[k] });
+      if (!(high[k] - low[k] <= 1.))
       {
-        const std::size_t texel = std::size_t(row) * std::size_t(width) + std::size_t(column);
-        const auto weights = MesoWeightsAt(a, b, c, cover.CentreOf(texel));
+        throw std::invalid_argument("triangle " + std::to_string(t) +
+          " is longer than the map in texture coordinates: they are no atlas");
+      }
+    }
+    const auto columns = TexelsBetween(low[0], high[0], width);
+    const auto rows = TexelsBetween(low[1], high[1], height);
+    for (std::int64_t row = rows[0]; row < rows[1]; ++row)
+    {
+      for (std::int64_t column = columns[0]; column < columns[1]; ++column)
+      {
+        const MesoTexturePoint centre = { (static_cast<double>(column) + 0.5) / width,
+          (static_cast<double>(row) + 0.5) / height };
+        const auto weights = MesoWeightsAt(a, b, c, centre);
         const double least = *std::min_element(weights.begin(), weights.end());
         if (!(least >= -OnEdge)) // outside, or no area
         {
           continue;
         }
+        const std::size_t texel =
+          Wrapped(row, height) * std::size_t(width) + Wrapped(column, width);
         const bool isInside = least > OnEdge;
         if (cover.Triangle[texel] < 0)
         {
           cover.Triangle[texel] = static_cast<std::int32_t>(t);
+          cover.Weights[texel] = { weights[1], weights[2] };
         }
         else if (isInside && inside[texel])
         {

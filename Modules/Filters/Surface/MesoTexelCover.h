@@ -20,14 +20,17 @@ struct MesoTexelCover
   int Width = 0;
   int Height = 0;
   std::vector<std::int32_t> Triangle; ///< a texel each, -1 where no triangle lies
+  /// Weights of its second and third corner at the texel's centre.
+  std::vector<std::array<double, 2>> Weights;
   /// Texels whose centre lies inside of several triangles, not just on their common edge. The first
   /// of them has it.
   std::int64_t Overlapping = 0;
 
-  MesoTexturePoint CentreOf(std::size_t texel) const
+  /// Weights of the three corners at the centre of a texel that is covered.
+  std::array<double, 3> WeightsOf(std::size_t texel) const
   {
-    return { (texel % std::size_t(this->Width) + 0.5) / this->Width,
-      (texel / std::size_t(this->Width) + 0.5) / this->Height };
+    const auto [second, third] = this->Weights[texel];
+    return { 1. - second - third, second, third };
   }
 };
 
@@ -37,10 +40,10 @@ MESOFILTERSSURFACE_EXPORT std::array<double, 3> MesoWeightsAt(const MesoTextureP
   const MesoTexturePoint& b, const MesoTexturePoint& c, const MesoTexturePoint& point);
 
 /**
- * Covers the texels of a map. Triangles may be mirrored; what lies outside of [0,1] x [0,1] covers
- * nothing.
+ * Covers the texels of a map, which repeats outside of [0,1] x [0,1]. Triangles may be mirrored.
  *
  * @param coordinates a point each, finite
+ * @throw std::invalid_argument where a triangle is longer than the map, which makes no atlas
  * @param triangles point numbers
  */
 MESOFILTERSSURFACE_EXPORT MesoTexelCover MesoCoverTexels(

@@ -20,23 +20,11 @@ vtkStandardNewMacro(vtkMesoMapFromMesh);
 
 namespace
 {
-constexpr int LargestSide = 16384;
+constexpr int LargestSide = 8192;
 
-std::vector<MesoTexturePoint> AtlasOf(vtkPolyData* mesh, const char* which)
+std::vector<MesoTexturePoint> CoordinatesOf(vtkPolyData* mesh)
 {
-  auto coordinates = MesoTuples<2>(MesoFindTextureCoordinates(mesh), "the texture coordinate");
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-  {
-    const auto [u, v] = coordinates[i];
-    if (std::min(u, v) < 0. || std::max(u, v) > 1.)
-    {
-      std::ostringstream message;
-      message << "the texture coordinate of point " << i << " of the " << which << " is (" << u
-              << ", " << v << "), and an atlas lies in [0,1] x [0,1]";
-      throw std::invalid_argument(message.str());
-    }
-  }
-  return coordinates;
+  return MesoTuples<2>(MesoFindTextureCoordinates(mesh), "the texture coordinate");
 }
 
 MesoFitInput ReadMesh(vtkPolyData* mesh, const char* which)
@@ -203,7 +191,7 @@ void vtkMesoMapFromMesh::Execute(vtkPolyData* base, vtkPolyData* detail, vtkImag
       std::to_string(this->Size[1]) + " texels cannot be made (1 to " +
       std::to_string(LargestSide) + " a side)");
   }
-  const auto baseCoordinates = AtlasOf(base, "base");
+  const auto baseCoordinates = CoordinatesOf(base);
   const MesoFitInput baseMesh = ReadMesh(base, "base");
   const MesoFitInput detailMesh = ReadMesh(detail, "detail");
   MesoMapFromMesh::Options options;
@@ -215,7 +203,7 @@ void vtkMesoMapFromMesh::Execute(vtkPolyData* base, vtkPolyData* detail, vtkImag
   options.Reach =
     this->Reach > 0. ? this->Reach : 0.1 * vtkBoundingBox(detail->GetBounds()).GetDiagonalLength();
   const auto detailCoordinates =
-    options.ByTexture ? AtlasOf(detail, "detail") : std::vector<MesoTexturePoint>();
+    options.ByTexture ? CoordinatesOf(detail) : std::vector<MesoTexturePoint>();
   const MesoMapFromMesh finder(baseMesh, baseCoordinates, detailMesh, detailCoordinates, options);
   this->NumberOfOverlappingTexels = finder.Cover().Overlapping;
 

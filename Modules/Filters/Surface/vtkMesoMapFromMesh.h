@@ -11,7 +11,8 @@
  * h = (s - low) / (high - low), D = high - low and r = -low / D, the surface p + (h - r) D n is the
  * detail again.
  *
- * Input port 0: the base, vtkPolyData with texture coordinates that are an atlas in [0,1] x [0,1].
+ * Input port 0: the base, vtkPolyData with texture coordinates that are an atlas. The map repeats
+ * outside of [0,1] x [0,1].
  * Input port 1: the detail, vtkPolyData; for Correspondence Texture with texture coordinates that run
  * over the same atlas.
  *
@@ -28,7 +29,7 @@
  * sampling at charts' edges reads what belongs there.
  *
  * One vtkErrorMacro line and an empty output are given for missing or wild texture coordinates,
- * coordinates outside of [0,1], arrays that the detail has not, meshes without triangles, and an
+ * triangles longer than the map, arrays that the detail has not, meshes without triangles, and an
  * atlas of which nothing meets the detail.
  *
  * @sa vtkMesoDisplacedMesh
@@ -56,7 +57,7 @@ public:
   ///@}
 
   ///@{
-  /// Texels along u and v, 1 to 16384. Default: 1024, 1024.
+  /// Texels along u and v, 1 to 8192. Default: 1024, 1024.
   vtkSetVector2Macro(Size, int);
   vtkGetVector2Macro(Size, int);
   ///@}
