@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 #include "MesoAtomicFile.h"
 #include "MesoReference.h"
+#include "MesoShape.h"
 #include "MesoTechniqueModel.h"
 #include "vtkImageData.h"
 
@@ -50,10 +51,21 @@ bool HasSmoothSurface(const MesoScene& scene)
 {
   std::vector<const MesoSceneMesh*> meshes;
   CollectMeshes(scene.Nodes, meshes);
-  const auto isShape = [](const MesoSceneMesh* mesh) { return mesh->File.empty(); };
-  const auto isCurved = [](const MesoSceneMesh* mesh) { return mesh->Shape != "plane"; };
-  return std::all_of(meshes.begin(), meshes.end(), isShape) &&
-    std::any_of(meshes.begin(), meshes.end(), isCurved);
+  bool curved = false;
+  for (const MesoSceneMesh* mesh : meshes)
+  {
+    if (!mesh->File.empty())
+    {
+      return false;
+    }
+    const MesoShape shape(mesh->Shape, mesh->Parameters);
+    if (!shape.IsFlat() && !shape.HasBends())
+    {
+      return false;
+    }
+    curved = curved || !shape.IsFlat();
+  }
+  return curved;
 }
 
 MesoScene WithTechnique(

@@ -121,7 +121,6 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   EXPECT_EQ(OfNode(head + R"("search": "linear-secant"})"),
     "s.json: nodes[0].mesostructure.search: technique plain has no search");
   EXPECT_TRUE(Mentions(OfNode(head + R"("wrap": "tile"})"), "choices: repeat, clamp, mirror"));
-  EXPECT_TRUE(Mentions(OfNode(R"("mesh": {"shape": "teapot"})"), "is not available yet"));
   EXPECT_TRUE(Mentions(OfNode(R"("mesh": {"shape": "taurus"})"), "did you mean torus?"));
   EXPECT_TRUE(Mentions(OfRelief(R"(, "height_map": {"pattern": "bricks"})"), "mean brick?"));
   EXPECT_TRUE(Mentions(OfScene(R"("lights": [{"type": "sun"}])"),
@@ -186,6 +185,8 @@ TEST(SceneRefusals, NodesAndSurfaces)
     { R"("mesh": "a\u0000b")", "nodes[0].mesh: must not hold control characters" },
     { R"("mesh": {"shape": "torus", "rings": 2.5})", "mesh.rings: must be" },
     { R"("mesh": {"shape": "torus", "tube": 3})", "nodes[0].mesh: shape 'torus': 'tube' must be" },
+    { R"("mesh": {"shape": "branch", "radius": 1})", "'radius' must be less than a quarter of" },
+    { R"("mesh": {"shape": "cube", "size": [1, 1]})", "mesh.size: must be a list of 3, has 2" },
     { R"("mesh": {"shape": "plane", "size": 2})", "mesh.size: must be a list of 2, is a number" },
     { R"("mesh": "a", "feature_angle": 181)", "feature_angle: must be in [0, 180], is 181" },
     { R"("mesh": "a", "material": {"opacity": 2})", "opacity: must be in [0, 1], is 2" },

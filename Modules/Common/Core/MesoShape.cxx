@@ -1,5 +1,7 @@
 #include "MesoShape.h"
 
+#include "MesoShapeForms.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -18,6 +20,11 @@ struct Entry
   std::vector<MesoParameter> Parameters;
 };
 
+MesoParameter Number(const char* key, double value, double least, double most, bool integer = false)
+{
+  return { key, { value }, least, most, integer };
+}
+
 MesoParameter Length(const char* key, double value)
 {
   return { key, { value }, Least, Most, false };
@@ -34,13 +41,29 @@ const std::vector<Entry>& Table()
     { "plane",
       { { "size", { 1., 1. }, Least, Most, false },
         { "segments", { 1., 1. }, 1., MostSegments, true } } },
+    { "cube", { { "size", { 1., 1., 1. }, Least, Most, false }, Count("segments", 1., 1.) } },
     { "sphere", { Length("radius", 1.), Count("rings", 24., 2.), Count("sides", 48., 3.) } },
     { "cylinder",
       { Length("radius", 0.5), Length("height", 1.), Count("sides", 48., 3.),
         Count("rings", 1., 1.) } },
+    { "cone",
+      { Length("radius", 0.5), Number("top", 0., 0., Most), Length("height", 1.),
+        Count("sides", 48., 3.), Count("rings", 16., 1.) } },
     { "torus",
       { Length("radius", 1.), Length("tube", 0.4), Count("rings", 48., 3.),
         Count("sides", 24., 3.) } },
+    { "vase",
+      { Length("radius", 0.5), Length("height", 1.5), Count("rings", 60., 1.),
+        Count("sides", 72., 3.) } },
+    { "teapot", { Length("radius", 1.), Number("segments", 8., 1., 512., true) } },
+    { "undulating",
+      { { "size", { 2., 2. }, Least, Most, false }, Number("amplitude", 0.15, 0., Most),
+        { "waves", { 1.5, 1. }, 0., 64., false },
+        { "segments", { 48., 48. }, 1., MostSegments, true } } },
+    { "branch",
+      { Length("radius", 0.16), Length("length", 2.), Number("bend", 0.5, 0., 1.),
+        Number("shoots", 2., 0., 4., true), Number("caps", 1., 0., 1., true),
+        Count("rings", 62., 4.), Count("sides", 32., 6.) } },
   };
   return table;
 }
@@ -74,33 +97,61 @@ std::vector<double> ValueOf(const Entry& entry, const MesoShapeValues& values, c
   return {};
 }
 
-struct Angle
+// Conditions between the values of several keys.
+std::string JointProblem(const Entry& entry, const MesoShapeValues& values)
 {
-  double Sine;
-  double Cosine;
-};
+  const auto number = [&](const char* key) { return ValueOf(entry, values, key)[0]; };
+  const std::string shape = entry.Name;
+  if (shape == "torus" && !(number("tube") < number("radius")))
+  {
+    return "'tube' must be less than 'radius'";
+  }
+  if (shape == "branch" && !(4. * number("radius") < number("length")))
+  {
+    return "'radius' must be less than a quarter of 'length'";
+  }
+  return {};
+}
 
-// Sine and cosine of a number of full turns. Whole turns give the same bits, and quarter turns give
-// exactly 0 and 1, so that seams and poles close without a gap.
-Angle OfTurns(double turns)
+MesoShapeFormPointer MakeForm(const std::string& shape, const MesoShapeNumbers& numbers)
+{
+  if (shape == "teapot")
+  {
+    return MesoMakeTeapotForm(numbers);
+  }
+  if (shape == "branch")
+  {
+    return MesoMakeBranchForm(numbers);
+  }
+  return shape == "plane" || shape == "cube" || shape == "undulating"
+    ? MesoMakeSheetForm(shape, numbers)
+    : MesoMakeRevolvedForm(shape, numbers);
+}
+}
+
+MesoTurned::MesoTurned(double turns)
 {
   const double within = turns - std::floor(turns);
   const double quarter = std::floor(4. * within + 0.5);
   const double rest = 2. * Pi * (within - 0.25 * quarter);
   const double sine = std::sin(rest);
   const double cosine = std::cos(rest);
-  switch (static_cast<int>(quarter) % 4)
-  {
-    case 1:
-      return { cosine, -sine };
-    case 2:
-      return { -sine, -cosine };
-    case 3:
-      return { -cosine, sine };
-    default:
-      return { sine, cosine };
-  }
+  const int whole = static_cast<int>(quarter) % 4;
+  this->Sine = whole == 0 ? sine : whole == 1 ? cosine : whole == 2 ? -sine : -cosine;
+  this->Cosine = whole == 0 ? cosine : whole == 1 ? -sine : whole == 2 ? -cosine : sine;
 }
+
+MesoTriple MesoDirectionOf(const MesoTriple& a, double& length)
+{
+  length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+  return length > 0. ? MesoTriple{ a[0] / length, a[1] / length, a[2] / length }
+                     : MesoTriple{ 1., 0., 0. };
+}
+
+MesoShapeBends MesoShape::Form::BendsAround(
+  const MesoShapePoint&, double, double, double, double) const
+{
+  throw std::logic_error("the bends of this shape are not known");
 }
 
 std::vector<std::string> MesoShapeNames()
@@ -134,12 +185,8 @@ std::string MesoShapeProblem(const std::string& shape, const MesoShapeValues& va
       return "shape '" + shape + "': " + problem;
     }
   }
-  if (shape == "torus" &&
-    !(ValueOf(*entry, values, "tube")[0] < ValueOf(*entry, values, "radius")[0]))
-  {
-    return "shape 'torus': 'tube' must be less than 'radius'";
-  }
-  return {};
+  const std::string problem = JointProblem(*entry, values);
+  return problem.empty() ? problem : "shape '" + shape + "': " + problem;
 }
 
 MesoShape::MesoShape(const std::string& shape, const MesoShapeValues& values)
@@ -150,60 +197,32 @@ MesoShape::MesoShape(const std::string& shape, const MesoShapeValues& values)
     throw std::invalid_argument(problem);
   }
   const Entry& entry = *Find(shape);
-  const auto number = [&](const char* key) { return ValueOf(entry, values, key)[0]; };
-  if (shape == "plane")
-  {
-    const auto size = ValueOf(entry, values, "size");
-    const auto segments = ValueOf(entry, values, "segments");
-    this->A = size[0];
-    this->B = size[1];
-    this->Cuts = { static_cast<int>(segments[0]), static_cast<int>(segments[1]) };
-    return;
-  }
-  this->A = number("radius");
-  const int rings = static_cast<int>(number("rings"));
-  const int sides = static_cast<int>(number("sides"));
-  this->Cuts = { sides, rings };
-  if (shape == "sphere")
-  {
-    this->Form = Sphere;
-  }
-  else if (shape == "cylinder")
-  {
-    this->Form = Cylinder;
-    this->B = number("height");
-  }
-  else
-  {
-    this->Form = Torus;
-    this->B = number("tube");
-    this->Cuts = { rings, sides };
-  }
+  this->Function = MakeForm(shape, [&](const char* key) { return ValueOf(entry, values, key); });
+  this->AllCharts = this->Function->Charts();
 }
 
-MesoShapePoint MesoShape::At(double u, double v) const
+MesoShapePoint MesoShape::InChart(std::size_t chart, double a, double b) const
 {
-  if (this->Form == Plane)
+  MesoShapePoint point = this->Function->At(chart, a, b);
+  for (std::size_t k = 0; k < 2; ++k)
   {
-    return { { (u - 0.5) * this->A, (v - 0.5) * this->B, 0. }, { 0., 0., 1. }, { 1., 0., 0. },
-      { 0., 1., 0. }, { this->A, this->B } };
+    point.Scale[k] /= this->AllCharts[chart].High[k] - this->AllCharts[chart].Low[k];
   }
-  // Half a turn on: the seam is at -z. "out" is (around.Sine, 0, around.Cosine).
-  const Angle around = OfTurns(u + 0.5);
-  const std::array<double, 3> east = { around.Cosine, 0., -around.Sine };
-  if (this->Form == Cylinder)
-  {
-    return { { this->A * around.Sine, (v - 0.5) * this->B, this->A * around.Cosine },
-      { around.Sine, 0., around.Cosine }, east, { 0., 1., 0. }, { 2. * Pi * this->A, this->B } };
-  }
-  // The profile is a circle of radius r about (middle, 0) in the plane of "out" and y.
-  const bool torus = this->Form == Torus;
-  const Angle up = torus ? OfTurns(v + 0.5) : OfTurns(0.5 * (v - 0.5));
-  const double middle = torus ? this->A : 0.;
-  const double r = torus ? this->B : this->A;
-  const double out = middle + r * up.Cosine;
-  return { { out * around.Sine, r * up.Sine, out * around.Cosine },
-    { up.Cosine * around.Sine, up.Sine, up.Cosine * around.Cosine }, east,
-    { -up.Sine * around.Sine, up.Cosine, -up.Sine * around.Cosine },
-    { 2. * Pi * out, (torus ? 2. : 1.) * Pi * r } };
+  return point;
+}
+
+bool MesoShape::IsFlat() const
+{
+  return this->Function->IsFlat();
+}
+
+bool MesoShape::HasBends() const
+{
+  return this->Function->HasBends();
+}
+
+MesoShapeBends MesoShape::BendsAround(
+  const MesoShapePoint& middle, double u, double v, double halfU, double halfV) const
+{
+  return this->Function->BendsAround(middle, u, v, halfU, halfV);
 }

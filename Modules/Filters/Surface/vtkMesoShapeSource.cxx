@@ -1,11 +1,10 @@
 #include "vtkMesoShapeSource.h"
 
+#include "MesoPolyDataInput.h"
 #include "MesoShape.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -23,53 +22,45 @@ vtkStandardNewMacro(vtkMesoShapeSource);
 
 namespace
 {
-/// Numbers the points of a shape's grid: rows of v from 0, in each the columns of u. Rows that are
-/// poles have a point for each segment, the others one more.
+/// Numbers the points of a chart's grid: rows of v from its low end, in each the columns of u. Rows
+/// that are poles have a point for each segment, the others one more.
 class Grid
 {
 public:
-  explicit Grid(const MesoShape& shape)
-    : Columns(shape.Segments()[0])
-    , Rows(shape.Segments()[1])
-    , ClosesAlongU(shape.ClosesAlongU())
-    , ClosesAlongV(shape.ClosesAlongV())
-    , HasPoles(shape.HasPoles())
+  Grid(const MesoShapeChart& chart, vtkIdType firstPoint)
+    : Chart(chart)
+    , Columns(chart.Segments[0])
+    , Rows(chart.Segments[1])
+    , Start(firstPoint)
   {
   }
 
-  bool IsPole(int row) const { return this->HasPoles && (row == 0 || row == this->Rows); }
+  bool IsPole(int row) const
+  {
+    return (row == 0 && this->Chart.PoleAtStart) || (row == this->Rows && this->Chart.PoleAtEnd);
+  }
   int PointsInRow(int row) const { return this->IsPole(row) ? this->Columns : this->Columns + 1; }
-
-  vtkIdType NumberOfPoints() const
+  int GetRows() const { return this->Rows; }
+  vtkIdType EndOfPoints() const
   {
-    return this->FirstPoint(this->Rows) + this->PointsInRow(this->Rows);
+    return this->Point(0, this->Rows) + this->PointsInRow(this->Rows);
   }
 
-  vtkIdType Point(int column, int row) const { return this->FirstPoint(row) + column; }
-
-  std::array<double, 2> Coordinates(int column, int row) const
+  /// A point's place in the chart.
+  std::array<double, 2> Place(int column, int row) const
   {
-    const double u = this->IsPole(row) ? column + 0.5 : column;
-    return { u / this->Columns, static_cast<double>(row) / this->Rows };
+    const double a = this->IsPole(row) ? column + 0.5 : column;
+    return { a / this->Columns, static_cast<double>(row) / this->Rows };
   }
 
-  vtkIdType Vertex(int column, int row) const
+  vtkIdType NumberOfTriangles() const
   {
-    if (this->IsPole(row))
-    {
-      return row == 0 ? 0 : 1 + vtkIdType(this->Rows - 1) * this->Columns;
-    }
-    const vtkIdType width = this->ClosesAlongU ? this->Columns : this->Columns + 1;
-    const int i = this->ClosesAlongU ? column % this->Columns : column;
-    const int j = this->ClosesAlongV ? row % this->Rows : row;
-    return this->HasPoles ? 1 + (j - 1) * width + i : j * width + i;
+    const int poles = (this->Chart.PoleAtStart ? 1 : 0) + (this->Chart.PoleAtEnd ? 1 : 0);
+    return vtkIdType(this->Columns) * (2 * this->Rows - poles);
   }
 
-  vtkSmartPointer<vtkCellArray> Triangles() const
+  vtkIdType* WriteTriangles(vtkIdType* next) const
   {
-    vtkNew<vtkIdTypeArray> corners;
-    corners->SetNumberOfValues(3 * this->NumberOfTriangles());
-    vtkIdType* next = corners->GetPointer(0);
     for (int j = 0; j < this->Rows; ++j)
     {
       for (int i = 0; i < this->Columns; ++i)
@@ -88,40 +79,42 @@ public:
         }
       }
     }
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->SetData(3, corners);
-    return cells;
+    return next;
   }
 
 private:
-  vtkIdType FirstPoint(int row) const
+  vtkIdType Point(int column, int row) const
   {
-    const vtkIdType missing = this->HasPoles && row > 0 ? 1 : 0;
-    return vtkIdType(row) * (this->Columns + 1) - missing;
+    const vtkIdType missing = this->Chart.PoleAtStart && row > 0 ? 1 : 0;
+    return this->Start + vtkIdType(row) * (this->Columns + 1) - missing + column;
   }
 
-  vtkIdType NumberOfTriangles() const
-  {
-    const vtkIdType quads = vtkIdType(this->Columns) * this->Rows;
-    return 2 * quads - (this->HasPoles ? 2 * this->Columns : 0);
-  }
-
+  MesoShapeChart Chart;
   int Columns;
   int Rows;
-  bool ClosesAlongU;
-  bool ClosesAlongV;
-  bool HasPoles;
+  vtkIdType Start;
 };
 
-/// The shape's point; at a pole with the |dp/du| of half a ring away.
-MesoShapePoint PointAt(const MesoShape& shape, const Grid& grid, int column, int row)
+std::vector<Grid> GridsOf(const MesoShape& shape)
 {
-  const auto [u, v] = grid.Coordinates(column, row);
-  MesoShapePoint point = shape.At(u, v);
+  std::vector<Grid> grids;
+  for (const MesoShapeChart& chart : shape.Charts())
+  {
+    grids.emplace_back(chart, grids.empty() ? 0 : grids.back().EndOfPoints());
+  }
+  return grids;
+}
+
+/// The shape's point; at a pole with the |dp/du| of half a ring away.
+MesoShapePoint PointAt(
+  const MesoShape& shape, std::size_t chart, const Grid& grid, int column, int row)
+{
+  const auto [a, b] = grid.Place(column, row);
+  MesoShapePoint point = shape.InChart(chart, a, b);
   if (grid.IsPole(row))
   {
-    const double halfRing = 0.5 / shape.Segments()[1];
-    point.Scale[0] = shape.At(u, row == 0 ? v + halfRing : v - halfRing).Scale[0];
+    const double halfRing = 0.5 / grid.GetRows();
+    point.Scale[0] = shape.InChart(chart, a, row == 0 ? b + halfRing : b - halfRing).Scale[0];
   }
   return point;
 }
@@ -137,9 +130,41 @@ vtkSmartPointer<vtkDataArray> MakeArray(
   return array;
 }
 
-void Evaluate(const MesoShape& shape, const Grid& grid, bool single, vtkPolyData* output)
+vtkSmartPointer<vtkCellArray> TrianglesOf(const std::vector<Grid>& grids)
 {
-  const vtkIdType size = grid.NumberOfPoints();
+  vtkIdType triangles = 0;
+  for (const Grid& grid : grids)
+  {
+    triangles += grid.NumberOfTriangles();
+  }
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(3 * triangles);
+  vtkIdType* next = corners->GetPointer(0);
+  for (const Grid& grid : grids)
+  {
+    next = grid.WriteTriangles(next);
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(3, corners);
+  return cells;
+}
+
+/// Numbers of the positions as they are stored.
+vtkSmartPointer<vtkDataArray> VerticesOf(vtkDataArray* positions)
+{
+  const auto numbers = MesoMadeVertices(MesoTuples<3>(positions, "the position"));
+  auto vertices = MakeArray(false, "MesoVertex", 1, positions->GetNumberOfTuples());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    vertices->SetTuple1(static_cast<vtkIdType>(i), static_cast<double>(numbers[i]));
+  }
+  return vertices;
+}
+
+void Evaluate(
+  const MesoShape& shape, const std::vector<Grid>& grids, bool single, vtkPolyData* output)
+{
+  const vtkIdType size = grids.back().EndOfPoints();
   const auto positions = MakeArray(single, "Points", 3, size);
   const auto normals = MakeArray(single, "Normals", 3, size);
   const auto coordinates = MakeArray(single, "TextureCoordinates", 2, size);
@@ -147,21 +172,24 @@ void Evaluate(const MesoShape& shape, const Grid& grid, bool single, vtkPolyData
   const auto bitangents = MakeArray(single, "MesoBitangent", 3, size);
   const auto scales = MakeArray(single, "MesoTileScale", 2, size);
   const auto valid = MakeArray(single, "MesoFrameValid", 1, size);
-  const auto vertices = MakeArray(false, "MesoVertex", 1, size);
   valid->Fill(1.);
   vtkIdType id = 0;
-  for (int row = 0; row <= shape.Segments()[1]; ++row)
+  for (std::size_t chart = 0; chart < grids.size(); ++chart)
   {
-    for (int column = 0; column < grid.PointsInRow(row); ++column, ++id)
+    const Grid& grid = grids[chart];
+    for (int row = 0; row <= grid.GetRows(); ++row)
     {
-      const MesoShapePoint point = PointAt(shape, grid, column, row);
-      positions->SetTuple(id, point.Position.data());
-      normals->SetTuple(id, point.Normal.data());
-      coordinates->SetTuple(id, grid.Coordinates(column, row).data());
-      tangents->SetTuple(id, point.Tangent.data());
-      bitangents->SetTuple(id, point.Bitangent.data());
-      scales->SetTuple(id, point.Scale.data());
-      vertices->SetTuple1(id, static_cast<double>(grid.Vertex(column, row)));
+      for (int column = 0; column < grid.PointsInRow(row); ++column, ++id)
+      {
+        const MesoShapePoint point = PointAt(shape, chart, grid, column, row);
+        const auto [a, b] = grid.Place(column, row);
+        positions->SetTuple(id, point.Position.data());
+        normals->SetTuple(id, point.Normal.data());
+        coordinates->SetTuple(id, shape.Charts()[chart].Coordinates(a, b).data());
+        tangents->SetTuple(id, point.Tangent.data());
+        bitangents->SetTuple(id, point.Bitangent.data());
+        scales->SetTuple(id, point.Scale.data());
+      }
     }
   }
   vtkNew<vtkPoints> points;
@@ -170,8 +198,8 @@ void Evaluate(const MesoShape& shape, const Grid& grid, bool single, vtkPolyData
   vtkPointData* data = output->GetPointData();
   data->SetNormals(normals);
   data->SetTCoords(coordinates);
-  for (vtkDataArray* array :
-    { vertices.Get(), tangents.Get(), bitangents.Get(), scales.Get(), valid.Get() })
+  data->AddArray(VerticesOf(positions));
+  for (vtkDataArray* array : { tangents.Get(), bitangents.Get(), scales.Get(), valid.Get() })
   {
     data->AddArray(array);
   }
@@ -225,10 +253,10 @@ int vtkMesoShapeSource::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   const MesoShape shape(this->Shape, this->Parameters);
-  const Grid grid(shape);
-  Evaluate(shape, grid, this->OutputPointsPrecision == SINGLE_PRECISION, output);
+  const std::vector<Grid> grids = GridsOf(shape);
+  Evaluate(shape, grids, this->OutputPointsPrecision == SINGLE_PRECISION, output);
   this->UpdateProgress(0.8);
-  output->SetPolys(grid.Triangles());
+  output->SetPolys(TrianglesOf(grids));
   return 1;
 }
 

@@ -5,19 +5,19 @@
  * @class vtkMesoShapeSource
  * @brief Make a built-in shape as triangles, with its exact normals and tangent frames.
  *
- * Evaluates a closed form of MesoShape.h (plane, sphere, cylinder, torus) on a grid over [0,1]^2.
+ * Evaluates a closed form of MesoShape.h on a grid over each of its charts.
  * Triangles are counter-clockwise seen from outside; none has two corners at one position.
  *
  * Output port 0: vtkPolyData, object space, with point data
  * - `Normals` (3, active): unit, outward.
  * - `TextureCoordinates` (2, active): (u, v) in [0,1].
  * - `MesoVertex` (1, double): number of the merged vertex, from 0 without a gap. Points on both
- *   sides of a seam share it, as do all points of a sphere's pole.
+ *   sides of a seam share it, as do all points of a pole and those of a cube's edge.
  * - `MesoTangent`, `MesoBitangent` (3 each): unit directions of dp/du and dp/dv.
  * - `MesoTileScale` (2): |dp/du| and |dp/dv| in object units.
  * - `MesoFrameValid` (1): 1 everywhere.
  *
- * A sphere's pole is one point a segment, with u in the middle of its segment. There |dp/du| is 0
+ * A pole (of a sphere, a cone, a capped end) is one point a segment, with u in the middle of its segment. There |dp/du| is 0
  * by the closed form and the frame has no inverse, although the surface around is smooth and its
  * relief too. So poles have the limit direction along their meridian as tangent and the |dp/du| of
  * half a ring away, which is about the mean of their triangle, and count as valid.
@@ -43,7 +43,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// plane, sphere, cylinder or torus (MesoShapeNames()). Default: plane.
+  /// One of MesoShapeNames(). Default: plane.
   void SetShape(const char* shape);
   const char* GetShape() const { return this->Shape.c_str(); }
   ///@}

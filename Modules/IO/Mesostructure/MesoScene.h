@@ -118,7 +118,7 @@ struct MesoSceneMaterial
 struct MesoSceneMesh
 {
   std::string File;  ///< resolved file name, or empty where Shape is given
-  std::string Shape; ///< "plane", "sphere", "cylinder", "torus"
+  std::string Shape; ///< of MesoShapeNames()
   /// The shape's numbers by key; a size in several directions has several values.
   std::map<std::string, std::vector<double>> Parameters;
   std::optional<double> FeatureAngle; ///< degrees; edges sharper than this split normals

@@ -9,8 +9,6 @@
 
 namespace
 {
-const std::vector<std::string> LaterShapes = { "cube", "cone", "vase", "teapot", "undulating",
-  "branch" };
 const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-object", "parallax",
   "horizon", "displacement", "geometry-image", "relief-quadric-exact", "vdm", "gdm", "slices",
   "shell-sdf" };
@@ -252,7 +250,7 @@ MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
     return mesh;
   }
   CheckNamesKind(value, "shape");
-  mesh.Shape = ReadName(value.At("shape"), "shape", MesoShapeNames(), LaterShapes);
+  mesh.Shape = ReadName(value.At("shape"), "shape", MesoShapeNames(), {});
   value.CheckKeys("shape_" + mesh.Shape);
   for (const MesoParameter& parameter : MesoShapeParameters(mesh.Shape))
   {

@@ -7,7 +7,6 @@ namespace
 {
 // Neighbouring patches overlap by this part of themselves, so that no ray slips between.
 constexpr double EdgeTolerance = 1e-11;
-constexpr double TwoPi = 6.283185307179586476925287;
 
 glm::dvec3 ToVector(const std::array<double, 3>& values)
 {
@@ -177,37 +176,28 @@ void MesoShapePatch::Evaluate(
 {
   const double u = this->PerX * (0.5 * (rect.X0 + rect.X1) + 0.5);
   const double v = this->PerY * (0.5 * (rect.Y0 + rect.Y1) + 0.5);
+  const double halfU = 0.5 * this->PerX * (rect.X1 - rect.X0);
+  const double halfV = 0.5 * this->PerY * (rect.Y1 - rect.Y0);
   const MesoShapePoint point = this->Shape.At(u, v);
-  // All shapes but the plane are surfaces of revolution: their normal turns by 2 pi along u, and
-  // along v by pi (sphere), 2 pi (torus) or not at all (cylinder).
-  const double turnU = this->Shape.ClosesAlongU() ? TwoPi : 0.;
-  const double turnV = this->Shape.HasPoles() ? 0.5 * TwoPi
-    : this->Shape.ClosesAlongV()              ? TwoPi
-                                              : 0.;
-  const glm::dvec3 east = ToVector(point.Tangent);
-  const glm::dvec3 up = ToVector(point.Bitangent);
+  const MesoShapeBends shape = this->Shape.BendsAround(point, u, v, halfU, halfV);
+  const double xx = this->PerX * this->PerX;
+  const double xy = this->PerX * this->PerY;
+  const double yy = this->PerY * this->PerY;
   middle.P = ToVector(point.Position);
   middle.N = ToVector(point.Normal);
-  middle.Px = this->PerX * point.Scale[0] * east;
-  middle.Py = this->PerY * point.Scale[1] * up;
-  const glm::dvec3 out = glm::cross(east, glm::dvec3(0., 1., 0.));
-  middle.Nx = this->PerX * turnU * glm::dot(middle.N, out) * east;
-  middle.Ny = this->PerY * turnV * up;
-
-  // Turning about the axis keeps lengths, so P_uu <= 2 pi P_u and so on; a circle's second
-  // derivative is its first one's times the turn. Bounds of first derivatives grow by these.
+  middle.Px = this->PerX * point.Scale[0] * ToVector(point.Tangent);
+  middle.Py = this->PerY * point.Scale[1] * ToVector(point.Bitangent);
+  middle.Nx = this->PerX * ToVector(shape.NormalU);
+  middle.Ny = this->PerY * ToVector(shape.NormalV);
   bends = MesoBaseBends();
-  const double halfV = 0.5 * this->PerY * (rect.Y1 - rect.Y0);
-  const double mostPu = point.Scale[0] + (turnV > 0. ? TwoPi * point.Scale[1] * halfV : 0.);
-  const double mostNu = turnU * std::min(1., std::abs(glm::dot(middle.N, out)) + turnV * halfV);
-  bends.Pxx = this->PerX * this->PerX * turnU * mostPu;
-  bends.Pxy = this->PerX * this->PerY * (turnV > 0. ? turnU * point.Scale[1] : 0.);
-  bends.Pyy = this->PerY * this->PerY * turnV * point.Scale[1];
-  bends.Nx = this->PerX * mostNu;
-  bends.Ny = this->PerY * turnV;
-  bends.Nxx = this->PerX * this->PerX * turnU * mostNu;
-  bends.Nxy = this->PerX * this->PerY * turnU * turnV;
-  bends.Nyy = this->PerY * this->PerY * turnV * turnV;
+  bends.Pxx = xx * shape.Puu;
+  bends.Pxy = xy * shape.Puv;
+  bends.Pyy = yy * shape.Pvv;
+  bends.Nx = this->PerX * shape.Nu;
+  bends.Ny = this->PerY * shape.Nv;
+  bends.Nxx = xx * shape.Nuu;
+  bends.Nxy = xy * shape.Nuv;
+  bends.Nyy = yy * shape.Nvv;
 }
 
 glm::dvec3 MesoShapePatch::Weights(double, double) const

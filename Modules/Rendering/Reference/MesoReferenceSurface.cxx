@@ -90,11 +90,17 @@ void MesoReferenceSurface::FindShape(const MesoSceneMesh& source)
       ": has a mesh file, of which no closed form is known: the "
       "surface 'smooth' is for built-in shapes");
   }
-  // A plane is its own closed form; its size may come from the map.
-  if (source.Shape != "plane")
+  MesoShape shape(source.Shape, source.Parameters);
+  if (shape.IsFlat())
   {
-    this->Shape.emplace(source.Shape, source.Parameters);
+    return; // the mesh is its own closed form; a plane's size may come from the map
   }
+  if (!shape.HasBends())
+  {
+    throw MesoInputError(
+      this->Label + ": the surface 'smooth' is not known for the shape '" + source.Shape + "'");
+  }
+  this->Shape.emplace(std::move(shape));
 }
 
 void MesoReferenceSurface::ReadMesh(vtkPolyData* mesh, const MesoMesostructureOptions& options)
@@ -156,7 +162,7 @@ std::size_t MesoReferenceSurface::NumberOfPatches() const
 {
   if (this->Shape)
   {
-    const std::array<int, 2> cuts = this->Shape->Segments();
+    const std::array<int, 2> cuts = this->Shape->Charts()[0].Segments;
     return std::size_t(cuts[0]) * cuts[1];
   }
   return this->Triangles.size();
@@ -202,7 +208,7 @@ MesoTrianglePatch MesoReferenceSurface::TrianglePatch(std::size_t number) const
 
 MesoShapePatch MesoReferenceSurface::ShapePatch(std::size_t number) const
 {
-  const std::array<int, 2> cuts = this->Shape->Segments();
+  const std::array<int, 2> cuts = this->Shape->Charts()[0].Segments;
   const glm::dvec2 size = this->Map
     ? glm::dvec2(this->Map->X().Texels(), this->Map->Y().Texels()) * this->Tiles
     : this->Tiles; // texels, or tiles, on the whole shape
