@@ -39,6 +39,29 @@ const std::vector<Entry>& Table()
       { Count("frequency", 4., 1., 1024.), Count("octaves", 5., 1., 10.),
         Number("gain", 0.5, 0., 1.) } },
     { "step", { Number("position", 0.5, 0., 1.), Number("low", 0., 0., 1.) } },
+    { "weave",
+      { Count("threads", 8., 2., 256.), Number("width", 0.85, 0.1, 0.95),
+        Number("strands", 0.5, 0., 1.), Number("variation", 0.2, 0., 1.) } },
+    { "stone",
+      { Count("cells", 6., 1., 256.), Number("jitter", 0.8, 0., 1.), Number("joint", 0.08, 0., 0.5),
+        Number("bevel", 0.25, 0.01, 1.), Number("variation", 0.5, 0., 1.),
+        Number("roughness", 0.35, 0., 1.) } },
+    { "spikes",
+      { Count("count", 8., 1., 1024.), Number("radius", 0.4, 0.05, 0.5),
+        Number("power", 1., 0.125, 8.), Number("variation", 0., 0., 1.) } },
+    { "checkerboard",
+      { Count("squares", 8., 2., MesoPatternMaximumSize), Number("low", 0., 0., 1.) } },
+    { "pits",
+      { Count("count", 8., 1., 1024.), Number("radius", 0.4, 0.05, 0.5),
+        Number("variation", 0.5, 0., 1.) } },
+    { "terrain",
+      { Count("frequency", 3., 1., 256.), Count("octaves", 8., 1., 12.),
+        Number("gain", 0.5, 0., 1.), Number("ridges", 0.6, 0., 1.),
+        Number("warp", 0.25, 0., 1.) } },
+    { "waves",
+      { Number("time", 0., -1e6, 1e6), Count("waves", 16., 1., 64.),
+        Number("frequency", 8., 1., 64.), Number("direction", 30., -360., 360.),
+        Number("spread", 50., 0., 180.), Number("steepness", 0.4, 0., 1.) } },
   };
   return table;
 }
@@ -65,6 +88,21 @@ MesoPatternValues WithDefaults(const Entry& entry, const MesoPatternValues& valu
   return all;
 }
 
+MesoFieldPointer MakeField(
+  const std::string& pattern, std::uint32_t seed, const MesoPatternValues& all)
+{
+  static const std::map<std::string, MesoFieldPointer (*)(std::uint32_t, const MesoPatternValues&)>
+    seeded = { { "brick", &MesoMakeBrickField }, { "smooth", &MesoMakeSmoothField },
+      { "noise", &MesoMakeNoiseField }, { "weave", &MesoMakeWeaveField },
+      { "stone", &MesoMakeStoneField }, { "spikes", &MesoMakeSpikesField },
+      { "pits", &MesoMakePitsField }, { "terrain", &MesoMakeTerrainField },
+      { "waves", &MesoMakeWavesField } };
+  const auto found = seeded.find(pattern);
+  return found != seeded.end() ? found->second(seed, all)
+    : pattern == "step"        ? MesoMakeStepField(all)
+                               : MesoMakeCheckerboardField(all);
+}
+
 // Conditions between the values of several keys.
 std::string JointProblem(const std::string& pattern, const MesoPatternValues& all)
 {
@@ -79,7 +117,14 @@ std::string JointProblem(const std::string& pattern, const MesoPatternValues& al
       return "'mortar' leaves no width to the bricks; fewer 'columns' or more 'rows' would";
     }
   }
-  if (pattern == "noise" &&
+  for (const auto& [name, key] : { std::pair{ "weave", "threads" }, { "checkerboard", "squares" } })
+  {
+    if (pattern == name && std::fmod(all.at(key), 2.) != 0.)
+    {
+      return std::string("'") + key + "' must be even, else the pattern does not tile";
+    }
+  }
+  if ((pattern == "noise" || pattern == "terrain") &&
     all.at("frequency") * std::exp2(all.at("octaves") - 1.) > MesoPatternMaximumSize)
   {
     return "'frequency' * 2^('octaves' - 1) is above " + std::to_string(MesoPatternMaximumSize);
@@ -131,11 +176,7 @@ MesoPattern::MesoPattern(
   {
     throw std::invalid_argument(problem);
   }
-  const MesoPatternValues all = WithDefaults(*Find(pattern), values);
-  this->Function = pattern == "brick" ? MesoMakeBrickField(seed, all)
-    : pattern == "smooth"             ? MesoMakeSmoothField(seed, all)
-    : pattern == "noise"              ? MesoMakeNoiseField(seed, all)
-                                      : MesoMakeStepField(all);
+  this->Function = MakeField(pattern, seed, WithDefaults(*Find(pattern), values));
 }
 
 double MesoPattern::At(double s, double t) const

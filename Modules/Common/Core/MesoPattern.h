@@ -3,7 +3,7 @@
 
 /**
  * @file MesoPattern.h
- * @brief Makes the built-in height maps: brick, smooth, noise and step.
+ * @brief Makes the built-in height maps.
  *
  * A pattern is a function of (s, t), periodic with period 1 in both, with values in [0,1]. A map
  * of any size samples it at its texel centres ((i + 0.5) / width, (j + 0.5) / height), row 0 at the
@@ -20,10 +20,29 @@
  *   (4, cells a tile of the first octave), octaves (5), gain (0.5, amplitude from octave to octave).
  * - step: 1 where s < position, else low. Keys: position (0.5), low (0).
  *
- * The widths `mortar` and `bevel` are fractions of a row's height. `smooth` stays inside [0,1]
+ * - weave: threads over and under each other, up to the ground between them. Keys: threads (8, even,
+ *   each way), width (0.85, of a thread, in threads), strands (0.5, depth of its plies' grooves),
+ *   variation (0.2, of widths).
+ * - stone: cobbles, cells around points shifted from a square lattice. Keys: cells (6, a side), jitter
+ *   (0.8, how far points are shifted), joint (0.08, width, in cells), bevel (0.25, width of the rounded
+ *   edge, in cells), variation (0.5, of heights), roughness (0.35).
+ * - spikes: a cone in each square cell, (1 - distance / radius)^power high. Keys: count (8, a side),
+ *   radius (0.4, in cells), power (1; less than 1: blunt, more: needles), variation (0, of heights).
+ * - checkerboard: squares at 1 and low, the lower left one at 1, with upright walls. Keys: squares (8,
+ *   even, a side; as many as texels: the finest map there is), low (0).
+ * - pits: hollows in a flat ground, lower halves of ellipsoids with upright walls. Keys: count (8, a
+ *   side), radius (0.4, in cells), variation (0.5, of places, sizes and depths).
+ * - terrain: hills and ridges. Keys: frequency (3, cells a tile of the first octave), octaves (8), gain
+ *   (0.5), ridges (0.6; 0: rounded hills, 1: ridges alone), warp (0.25, how far noise bends it, in cells
+ *   of the first octave).
+ * - waves: water, a sum of travelling sines, at a time. Keys: time (0; a wave of one period a tile takes 1
+ *   for it), waves (16), frequency (8, periods a tile of the finest), direction (30 degrees, that they
+ *   travel to, from +s to +t), spread (50 degrees, to each side), steepness (0.4, of crests).
+ *
+ * The brick's widths `mortar` and `bevel` are fractions of a row's height. `smooth` stays inside [0,1]
  * without clamping: its extremes are found on a fixed lattice and widened by what the function can
- * rise between the lattice's points. `noise` is scaled by its extremes on a fixed lattice and
- * clamped. `step` of width w has texels i < w * position - 1/2 at 1 and the others at low; read
+ * rise between the lattice's points. `noise` and `terrain` are scaled by
+ * their extremes on a fixed lattice and clamped; `waves` by the same numbers at all times. `step` of width w has texels i < w * position - 1/2 at 1 and the others at low; read
  * bilinearly it is a ramp one texel wide, centred at s = position where w * position is whole, and
  * since the tile wraps there is a second ramp, upward, centred at s = 0.
  */
@@ -41,7 +60,7 @@
 /// Values by key; keys left out have their defaults.
 using MesoPatternValues = std::map<std::string, double>;
 
-/// brick, smooth, noise, step.
+/// brick, smooth, noise, step, weave, stone, spikes, checkerboard, pits, terrain, waves.
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoPatternNames();
 
 /// The keys of a pattern; empty where there is no such pattern.

@@ -57,21 +57,6 @@ int Wrapped(int i, int period)
   return rest < 0 ? rest + period : rest;
 }
 
-// Least and greatest value at the texel centres of an n x n map.
-std::array<double, 2> RangeOf(const MesoPattern::Field& field, int n)
-{
-  std::array<double, 2> range = { field.At(0., 0.), field.At(0., 0.) };
-  for (int j = 0; j < n; ++j)
-  {
-    for (int i = 0; i < n; ++i)
-    {
-      const double value = field.At((i + 0.5) / n, (j + 0.5) / n);
-      range = { std::min(range[0], value), std::max(range[1], value) };
-    }
-  }
-  return range;
-}
-
 class SmoothField : public MesoPattern::Field
 {
 public:
@@ -99,7 +84,7 @@ public:
     // diagonal away.
     constexpr int lattice = 256;
     const double margin = 0.5 * bend * 0.5 / (lattice * lattice);
-    const auto range = RangeOf(*this, lattice);
+    const auto range = MesoRangeOfField(*this, lattice);
     this->Low = range[0] - margin;
     this->Factor = 1. / (range[1] - range[0] + 2. * margin);
   }
@@ -158,7 +143,7 @@ public:
     , Octaves(octaves)
     , Gain(gain)
   {
-    const auto range = RangeOf(*this, 256);
+    const auto range = MesoRangeOfField(*this, 256);
     this->Low = range[0];
     this->Factor = range[1] > range[0] ? 1. / (range[1] - range[0]) : 1.;
   }
@@ -201,6 +186,20 @@ private:
   double Position;
   double Low;
 };
+}
+
+std::array<double, 2> MesoRangeOfField(const MesoPattern::Field& field, int n)
+{
+  std::array<double, 2> range = { field.At(0., 0.), field.At(0., 0.) };
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const double value = field.At((i + 0.5) / n, (j + 0.5) / n);
+      range = { std::min(range[0], value), std::max(range[1], value) };
+    }
+  }
+  return range;
 }
 
 double MesoSeededRandom(std::uint32_t seed, int a, int b, int c)

@@ -24,6 +24,13 @@ MesoFieldPointer MesoMakeBrickField(std::uint32_t seed, const MesoPatternValues&
 MesoFieldPointer MesoMakeSmoothField(std::uint32_t seed, const MesoPatternValues& values);
 MesoFieldPointer MesoMakeNoiseField(std::uint32_t seed, const MesoPatternValues& values);
 MesoFieldPointer MesoMakeStepField(const MesoPatternValues& values);
+MesoFieldPointer MesoMakeWeaveField(std::uint32_t seed, const MesoPatternValues& values);
+MesoFieldPointer MesoMakeStoneField(std::uint32_t seed, const MesoPatternValues& values);
+MesoFieldPointer MesoMakeSpikesField(std::uint32_t seed, const MesoPatternValues& values);
+MesoFieldPointer MesoMakeCheckerboardField(const MesoPatternValues& values);
+MesoFieldPointer MesoMakePitsField(std::uint32_t seed, const MesoPatternValues& values);
+MesoFieldPointer MesoMakeTerrainField(std::uint32_t seed, const MesoPatternValues& values);
+MesoFieldPointer MesoMakeWavesField(std::uint32_t seed, const MesoPatternValues& values);
 ///@}
 
 /// A number in [0,1) for a seed and up to three whole numbers (SplitMix64's mixer: Steele, Lea,
@@ -34,5 +41,8 @@ double MesoSeededRandom(std::uint32_t seed, int a, int b = 0, int c = 0);
 /// cells that repeats every period[0] by period[1] cells; `key` chooses one of many such noises.
 double MesoGradientNoise(
   double x, double y, std::array<int, 2> period, std::uint32_t seed, int key);
+
+/// Least and greatest value at the texel centres of an n x n map.
+std::array<double, 2> MesoRangeOfField(const MesoPattern::Field& field, int n);
 
 #endif

@@ -3,7 +3,7 @@
 
 /**
  * @class vtkMesoPatternSource
- * @brief Make a built-in height map (brick, smooth, noise, step) as an image.
+ * @brief Make a built-in height map as an image.
  *
  * Samples a function of MesoPattern.h at the texel centres ((i + 0.5) / width, (j + 0.5) / height).
  * The map tiles exactly; maps of different sizes show the same surface; the same seed gives the
@@ -30,7 +30,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// brick, smooth, noise or step (MesoPatternNames()). Default: brick.
+  /// One of MesoPatternNames(). Default: brick.
   void SetPattern(const char* pattern);
   const char* GetPattern() const { return this->Pattern.c_str(); }
   ///@}
@@ -42,7 +42,7 @@ public:
   ///@}
 
   ///@{
-  /// Chooses among patterns of the same look; `step` does not depend on it. Default: 1.
+  /// Chooses among patterns of the same look; `step` and `checkerboard` do not depend on it. Default: 1.
   vtkSetMacro(Seed, unsigned int);
   vtkGetMacro(Seed, unsigned int);
   ///@}

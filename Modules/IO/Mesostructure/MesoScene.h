@@ -128,7 +128,7 @@ struct MesoSceneMesh
 struct MesoSceneMap
 {
   std::string File;    ///< resolved file name, or empty where Pattern is given
-  std::string Pattern; ///< "brick", "smooth", "noise", "step"
+  std::string Pattern; ///< of MesoPatternNames()
   std::array<int, 2> Size = { 256, 256 };
   std::uint32_t Seed = 1;
   std::map<std::string, double> Parameters;   ///< the pattern's further numbers by key
