@@ -4,6 +4,7 @@
 #include "CommandBake.h"
 #include "CommandBench.h"
 #include "CommandCompare.h"
+#include "CommandInfo.h"
 #include "CommandReference.h"
 #include "CommandRender.h"
 
@@ -23,12 +24,14 @@ int main(int argc, char* argv[])
   CommandBake bake(app);
   CommandBench bench(app);
   CommandCompare compare(app);
+  CommandInfo info(app);
   CommandRender render(app);
   CommandReference reference(app);
   const std::map<std::string, std::function<int()>> commands = {
     { "bake", [&] { return bake.Run(); } },
     { "bench", [&] { return bench.Run(); } },
     { "compare", [&] { return compare.Run(); } },
+    { "info", [&] { return info.Run(); } },
     { "reference", [&] { return reference.Run(); } },
     { "render", [&] { return render.Run(); } },
   };

@@ -38,6 +38,7 @@ const Picture Pictures[] = {
   { "ReliefColumn", "Documentation/ReliefColumn.json", "400x300" },
   { "ReliefDraft", "Documentation/ReliefDraft.json", "400x300" },
   { "ReliefHigh", "Documentation/ReliefHigh.json", "400x300" },
+  { "ReliefMapDepth", "Documentation/ReliefMapDepth.json", "400x300" },
   { "ReliefQuadricHole", "Documentation/ReliefQuadricHole.json", "400x300" },
   { "ReliefQuadricSilhouette", "Documentation/ReliefQuadricSilhouette.json", "400x300" },
   { "ReliefQuadricTorus", "Documentation/ReliefQuadricTorus.json", "400x300" },

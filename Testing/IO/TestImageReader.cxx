@@ -198,8 +198,8 @@ TEST_F(ImageReader, RefusesWhatIsNoImageOrTooLarge)
   this->ExpectRefused(this->Folder.PathOf("none.png"), "there is no such file");
   this->ExpectRefused(this->Folder.Write("text.png", "hello"), "is not an image that can be read");
   this->ExpectRefused(this->Folder.Write("text.xyz", "hello"), "is not an image that can be read");
-  this->ExpectRefused(this->Folder.Write("zero.png", TinyImages::BytesOf(TinyImages::ZeroPng)),
-    "is not an image that can be read");
+  this->ExpectRefused(
+    this->Folder.Write("zero.png", TinyImages::BytesOf(TinyImages::ZeroPng)), "has no pixels");
   this->ExpectRefused(this->Folder.Write("huge.png", TinyImages::BytesOf(TinyImages::HugePng)),
     "is 32768 x 32768 pixels, over the limit of 16384 in either direction");
   this->ExpectRefused(this->Folder.Write("id.exr", TinyImages::BytesOf(TinyImages::IntegerExr)),
@@ -207,6 +207,20 @@ TEST_F(ImageReader, RefusesWhatIsNoImageOrTooLarge)
   this->Reader->SetFileName(nullptr);
   this->Reader->Update();
   EXPECT_NE(this->Reader->GetErrorMessage().find("no file name"), std::string::npos);
+}
+
+TEST_F(ImageReader, DamagedPngFilesAreToldByChunk)
+{
+  const std::string whole = TinyImages::BytesOf(TinyImages::IndexedPng);
+  const std::string cut = whole.substr(0, whole.size() - 14);
+  this->ExpectRefused(this->Folder.Write("a.png", cut), "the file ends in the chunk that begins");
+  this->ExpectRefused(this->Folder.Write("b.png", whole.substr(0, whole.size() - 12)),
+    "byte " + std::to_string(whole.size() - 12) + ": the file ends before its last chunk");
+  std::string bit = whole;
+  bit[whole.find("IDAT") + 6] ^= 4;
+  this->ExpectRefused(this->Folder.Write("c.png", bit),
+    "byte " + std::to_string(whole.find("IDAT") - 4) + ": the chunk \"IDAT\" has a wrong checksum");
+  EXPECT_EQ(this->ReadTiny("more.png", TinyImages::IndexedPng)->GetNumberOfPoints(), 4);
 }
 
 TEST_F(ImageReader, RefusesValuesThatAreNotFinite)

@@ -3,6 +3,7 @@
 #include "MesoAtomicFile.h"
 #include "MesoFileBytes.h"
 #include "MesoMessage.h"
+#include "MesoPngCheck.h"
 #include "MesoScene.h" // for MesoInputError
 
 #include <OpenImageIO/imageio.h>
@@ -104,6 +105,8 @@ MesoImageHeader HeaderOf(const OIIO::ImageSpec& spec)
   header.ValueType = spec.format == TypeDesc::UINT8 ? MesoImageHeader::Type::UnsignedChar
     : spec.format == TypeDesc::UINT16               ? MesoImageHeader::Type::UnsignedShort
                                                     : MesoImageHeader::Type::Float;
+  header.StoredType = spec.format.c_str();
+  header.HasColorProfile = spec.find_attribute("ICCProfile") != nullptr;
   header.ChannelNames = spec.channelnames;
   for (const auto& attribute : spec.extra_attribs)
   {
@@ -147,6 +150,11 @@ MesoImageInput::MesoImageInput(const std::string& fileName)
   , Implementation(new File)
 {
   MesoCheckIsFile(fileName);
+  const std::string damage = MesoPngProblem(fileName);
+  if (!damage.empty())
+  {
+    throw MesoInputError(fileName + ": " + damage);
+  }
   OIIO::ImageSpec wanted;
   wanted.attribute("oiio:UnassociatedAlpha", 1); // the file's colors, not those times alpha
   wanted.attribute("oiio:RawColor", 1);
@@ -158,6 +166,7 @@ MesoImageInput::MesoImageInput(const std::string& fileName)
       fileName + ": is not an image that can be read: " + Reason(OIIO::geterror()));
   }
   this->Description = HeaderOf(input->spec());
+  this->Description.Format = input->format_name();
   const std::string problem = Problem(input->spec(), this->Description);
   if (!problem.empty())
   {

@@ -40,6 +40,9 @@ struct MesoImageHeader
   /// "Y", "R", "G", "B", "A" or as the file names them. OpenImageIO puts an OpenEXR file's color
   /// first and sorts the others.
   std::vector<std::string> ChannelNames;
+  std::string Format;           ///< of the file: "png", "tiff", "openexr", ...
+  std::string StoredType;       ///< "uint8", "uint16", "half", "float" or "double"
+  bool HasColorProfile = false; ///< an ICC profile, which is left alone
   std::map<std::string, MesoImageAttribute> Attributes; ///< texts and numbers of the file
   std::vector<std::string> Notes;                       ///< what is odd about it, a line each
 

@@ -10,7 +10,6 @@
 
 namespace
 {
-constexpr std::uintmax_t LargestFile = 64u << 20;
 constexpr std::size_t MostClippingPlanes = 6; // what VTK draws
 constexpr double Pi = 3.14159265358979323846;
 
@@ -329,7 +328,7 @@ MesoScene ParseScene(const std::string& text, const MesoSceneSource& source)
 
 MesoScene MesoReadScene(const std::string& fileName)
 {
-  const std::string text = MesoReadBytes(fileName, LargestFile, "a scene file");
+  const std::string text = MesoReadBytes(fileName, MesoLargestSceneFile, "a scene file");
   return ParseScene(text, { fileName, true });
 }
 

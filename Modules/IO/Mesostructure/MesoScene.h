@@ -131,9 +131,10 @@ struct MesoSceneMap
   std::string Pattern; ///< of MesoPatternNames()
   std::array<int, 2> Size = { 256, 256 };
   std::uint32_t Seed = 1;
-  std::map<std::string, double> Parameters;   ///< the pattern's further numbers by key
-  bool IsDepth = false;                       ///< brighter is lower (depth_map), else higher
-  std::optional<std::array<double, 2>> Range; ///< stored numbers that map to [0,1]
+  std::map<std::string, double> Parameters; ///< the pattern's further numbers by key
+  bool IsDepth = false;     ///< brighter is lower (depth_map, relief_map), else higher
+  bool IsReliefMap = false; ///< the depth is the file's alpha channel (relief_map)
+  std::optional<std::array<double, 2>> Range;         ///< stored numbers that map to [0,1]
   std::optional<std::array<double, 2>> SampleSpacing; ///< object units a sample
 };
 
@@ -166,6 +167,9 @@ struct MesoScene
   std::vector<MesoSceneClippingPlane> ClippingPlanes; ///< at most 6
   std::vector<MesoSceneNode> Nodes;
 };
+
+/// Bytes of a scene file, at most.
+constexpr std::uintmax_t MesoLargestSceneFile = 64u << 20;
 
 /**
  * Read and check a scene file. Relative names are taken relative to the scene file's folder.

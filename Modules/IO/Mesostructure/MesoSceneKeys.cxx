@@ -32,9 +32,9 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "scalar_bar", { "title", "units", "values_of" }, {} },
     { "contours", { "spacing", "values", "values_of", "color", "width" }, {} },
     { "mesostructure",
-      { "technique", "height_map", "depth_map", "range", "sample_spacing", "scale", "reference",
-        "tiles", "wrap", "quality", "search", "quadric", "effects" },
-      { "relief_map", "volume", "tile_mesh", "baked", "curved", "rank", "segments" } },
+      { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
+        "reference", "tiles", "wrap", "quality", "search", "quadric", "effects" },
+      { "volume", "tile_mesh", "baked", "curved", "rank", "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
   {

@@ -368,20 +368,30 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
 
   if (value.Has("height_map"))
   {
-    value.Refuse({ "depth_map" }, "there is a height_map already; only one map is taken");
+    value.Refuse(
+      { "depth_map", "relief_map" }, "there is a height_map already; only one map is taken");
     node.Map = ReadMap(value.At("height_map"));
   }
   value.With("depth_map",
     [&](const MesoSceneValue& map)
     {
+      value.Refuse({ "relief_map" }, "there is a depth_map already; only one map is taken");
       node.Map = ReadMap(map);
       node.Map->IsDepth = true;
+    });
+  value.With("relief_map",
+    [&](const MesoSceneValue& file)
+    {
+      node.Map = MesoSceneMap();
+      node.Map->File = file.ToFileName();
+      node.Map->IsDepth = true;
+      node.Map->IsReliefMap = true;
     });
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (!node.Map)
   {
-    value.Refuse(
-      { "range", "sample_spacing" }, "there is no height_map or depth_map that it is of");
+    value.Refuse({ "range", "sample_spacing" },
+      "there is no height_map or depth_map or relief_map that it is of");
     if (MesoUsesHeightMap(options.Technique))
     {
       value.Fail("technique " + name + " needs a height_map or a depth_map");

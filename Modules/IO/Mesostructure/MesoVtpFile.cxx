@@ -10,6 +10,8 @@
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -61,32 +63,61 @@ void CheckCounts(const std::string& bytes, const std::string& fileName)
   }
 }
 
-/// Keeps the first error that any part of VTK's reader gives.
+/// The message of VTK's text, without the place in the source before it and the lines after it.
+std::string MessageOf(const char* text)
+{
+  std::string message = text ? text : "unknown error";
+  const std::size_t name = message.find("): ");
+  message = name == std::string::npos ? message : message.substr(name + 3);
+  message = message.substr(0, message.find('\n'));
+  message.erase(message.find_last_not_of(" \r\t") + 1);
+  return MesoPrintable(message);
+}
+
+/// Takes what parts of VTK's reader that cannot be observed would write to standard error.
+class ErrorWindow : public vtkOutputWindow
+{
+public:
+  static ErrorWindow* New();
+  vtkTypeMacro(ErrorWindow, vtkOutputWindow);
+
+  std::string First;
+
+  void DisplayText(const char*) override {}
+  void DisplayWarningText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayErrorText(const char* text) override
+  {
+    this->First = this->First.empty() ? MessageOf(text) : this->First;
+  }
+};
+vtkStandardNewMacro(ErrorWindow);
+
+/// Keeps the first error that any part of VTK's reader gives, and keeps it off the screen.
 class FirstError
 {
 public:
   explicit FirstError(vtkXMLReader* reader)
+    : Before(vtkOutputWindow::GetInstance())
   {
-    this->Command->SetClientData(&this->Text);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* kept, void* text)
-      {
-        auto* first = static_cast<std::string*>(kept);
-        std::string message = text ? static_cast<const char*>(text) : "unknown error";
-        const std::size_t name = message.find("): ");
-        message = name == std::string::npos ? message : message.substr(name + 3);
-        message.erase(message.find_last_not_of(" \n\r\t") + 1);
-        *first = first->empty() ? MesoPrintable(message) : *first;
-      });
+    vtkOutputWindow::SetInstance(this->Window);
+    this->Command->SetClientData(this->Window);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* window, void* text)
+      { static_cast<ErrorWindow*>(window)->DisplayErrorText(static_cast<const char*>(text)); });
     reader->AddObserver(vtkCommand::ErrorEvent, this->Command);
     reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
     reader->SetReaderErrorObserver(this->Command);
     reader->SetParserErrorObserver(this->Command);
   }
-  const std::string& Get() const { return this->Text; }
+  ~FirstError() { vtkOutputWindow::SetInstance(this->Before); }
+  FirstError(const FirstError&) = delete;
+  FirstError& operator=(const FirstError&) = delete;
+
+  const std::string& Get() const { return this->Window->First; }
 
 private:
-  std::string Text;
+  vtkSmartPointer<vtkOutputWindow> Before;
+  vtkNew<ErrorWindow> Window;
   vtkNew<vtkCallbackCommand> Command;
 };
 

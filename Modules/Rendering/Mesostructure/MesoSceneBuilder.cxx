@@ -2,6 +2,7 @@
 
 #include "MesoAlgorithmRun.h"
 #include "MesoHeightMap.h"
+#include "MesoMapInput.h"
 #include "MesoScalarBar.h"
 #include "MesoSurfaceColors.h"
 #include "vtkActor.h"
@@ -14,7 +15,6 @@
 #include "vtkMesoImageReader.h"
 #include "vtkMesoMeshReader.h"
 #include "vtkMesoMovedMesh.h"
-#include "vtkMesoPatternSource.h"
 #include "vtkMesoQuadricFit.h"
 #include "vtkMesoReliefMapper.h"
 #include "vtkMesoShapeSource.h"
@@ -192,30 +192,10 @@ void MesoSceneBuilder::AddLight(
 
 MesoHeights MesoSceneBuilder::MakeHeights(const MesoSceneMap& map, const std::string& place)
 {
-  vtkSmartPointer<vtkImageData> stored;
-  if (map.File.empty())
-  {
-    vtkNew<vtkMesoPatternSource> source;
-    source->SetPattern(map.Pattern.c_str());
-    source->SetSize(map.Size[0], map.Size[1]);
-    source->SetSeed(map.Seed);
-    for (const auto& parameter : map.Parameters)
-    {
-      source->SetParameter(parameter.first, parameter.second);
-    }
-    MesoRunAlgorithm(source, place, this->Warnings);
-    stored = source->GetOutput();
-  }
-  else
-  {
-    vtkNew<vtkMesoImageReader> reader;
-    reader->SetFileName(map.File.c_str());
-    MesoRunAlgorithm(reader, place, this->Warnings);
-    stored = reader->GetOutput();
-  }
+  const MesoStoredMap stored = MesoReadMap(map, place, this->Warnings);
   try
   {
-    MesoHeights heights = MesoToHeights(stored, map.IsDepth, map.Range);
+    MesoHeights heights = MesoToHeights(stored.Image, map.IsDepth, stored.Range);
     for (const std::string& warning : heights.Warnings)
     {
       this->Warnings.push_back(place + ": " + warning);
@@ -241,15 +221,14 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
     {
       source->SetParameter(parameter.first, parameter.second);
     }
-    if (mesh.Shape == "plane" && !mesh.Parameters.count("size") && heights &&
-      node.Map->SampleSpacing)
+    const auto spacing = node.Map ? MesoSampleSpacing(*node.Map, heights) : std::nullopt;
+    if (mesh.Shape == "plane" && !mesh.Parameters.count("size") && spacing)
     {
-      const auto& spacing = *node.Map->SampleSpacing;
       int samples[3];
       heights->GetDimensions(samples);
       source->SetParameter("size",
-        { spacing[0] * samples[0] * node.Mesostructure.Tiles[0],
-          spacing[1] * samples[1] * node.Mesostructure.Tiles[1] });
+        { (*spacing)[0] * samples[0] * node.Mesostructure.Tiles[0],
+          (*spacing)[1] * samples[1] * node.Mesostructure.Tiles[1] });
     }
     if (mesh.FeatureAngle)
     {
@@ -397,6 +376,8 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
         (node.Material.ColorBy && MesoColorNeedsFrames(*node.Material.ColorBy)));
+    MesoCheckSampleSpacing(
+      node, object.HeightMap, object.Base, inScene + ".mesostructure", this->Warnings);
     if (node.Material.ColorBy && !node.Material.ColorBy->IsHeight())
     {
       object.Base = MesoWithColorArray(

@@ -1,0 +1,246 @@
+// `meso info`: text and JSON of the same content, exit codes, and what is said of each kind of file.
+
+#include "MessageOf.h"
+#include "RunMeso.h"
+#include "TemporaryFolder.h"
+
+#include "MesoImageFile.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using Json = nlohmann::json;
+
+const std::string Square = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                           "f 1/1 2/2 3/3 4/4\n";
+
+class Info : public testing::Test
+{
+protected:
+  TemporaryFolder Folder;
+
+  Json Of(const std::string& name)
+  {
+    const MesoRun run = RunMeso({ "info", this->Folder.PathOf(name), "--json" });
+    EXPECT_EQ(run.ExitCode, 0) << run.Messages;
+    EXPECT_EQ(run.Messages, "");
+    return Json::parse(run.Output, nullptr, false);
+  }
+
+  void ExpectRefused(const std::string& name, const std::string& part)
+  {
+    const MesoRun run = RunMeso({ "info", this->Folder.PathOf(name), "--json" });
+    EXPECT_EQ(run.ExitCode, 1);
+    EXPECT_EQ(run.Output, "");
+    EXPECT_EQ(std::count(run.Messages.begin(), run.Messages.end(), '\n'), 1) << run.Messages;
+    EXPECT_NE(run.Messages.find(part), std::string::npos) << run.Messages;
+  }
+
+  /// A grey ramp of 16 bits.
+  void WriteRamp(const std::string& name, int width, int height)
+  {
+    std::vector<float> values;
+    for (int i = 0; i < width * height; ++i)
+    {
+      values.push_back(float(i % width) / float(width));
+    }
+    MesoWriteImage(this->Folder.PathOf(name), width, height, 1,
+      MesoImageHeader::Type::UnsignedShort, values.data());
+  }
+
+  static bool HasWarning(const Json& report, const std::string& part)
+  {
+    const Json& warnings = report.at("warnings");
+    return std::any_of(warnings.begin(), warnings.end(),
+      [&](const Json& warning)
+      { return warning.get<std::string>().find(part) != std::string::npos; });
+  }
+};
+
+/// All keys of objects and all values, in any depth, as the text names them.
+void Flatten(const Json& json, std::vector<std::string>& words)
+{
+  for (const auto& [key, value] : json.items())
+  {
+    if (json.is_object())
+    {
+      std::string name = key;
+      std::replace(name.begin(), name.end(), '_', ' ');
+      words.push_back(name);
+    }
+    if (value.is_structured())
+    {
+      Flatten(value, words);
+    }
+    else if (value.is_string())
+    {
+      words.push_back(value.get<std::string>());
+    }
+    else if (value.is_number_integer())
+    {
+      words.push_back(value.dump());
+    }
+  }
+}
+}
+
+TEST_F(Info, TextSaysWhatTheJsonSays)
+{
+  this->Folder.Write("m.obj", Square + "v 9 9 9\n");
+  this->WriteRamp("h.png", 8, 4);
+  this->Folder.Write("s.json", R"({"meso": 1, "nodes": [{"name": "wall", "mesh": "m.obj",
+    "mesostructure": {"technique": "relief", "height_map": "h.png", "scale": 0.1}}]})");
+  for (const char* name : { "m.obj", "h.png", "s.json" })
+  {
+    const MesoRun text = RunMeso({ "info", this->Folder.PathOf(name) });
+    EXPECT_EQ(text.ExitCode, 0);
+    std::vector<std::string> words;
+    Flatten(this->Of(name), words);
+    EXPECT_GT(words.size(), 10u);
+    for (const std::string& word : words)
+    {
+      EXPECT_NE(text.Output.find(word), std::string::npos) << word << "\n" << text.Output;
+    }
+  }
+}
+
+TEST_F(Info, Meshes)
+{
+  this->Folder.Write("m.obj", Square + "v 9 9 9\n");
+  const Json mesh = this->Of("m.obj");
+  EXPECT_EQ(mesh["kind"], "mesh");
+  EXPECT_EQ(mesh["triangles"], 2);
+  EXPECT_EQ(mesh["boundary_edges"], 4);
+  EXPECT_EQ(mesh["texture_coordinates"]["charts"], 1);
+  EXPECT_EQ(mesh["texture_coordinates"]["object_units_a_unit"], 4.);
+  EXPECT_TRUE(mesh["volume"].is_null());
+  EXPECT_TRUE(this->HasWarning(mesh, "1 of 5 vertices are in no face"));
+
+  this->Folder.Write("bad.ply", "ply\nformat ascii 1.0\nend_header\n");
+  this->ExpectRefused("bad.ply", "bad.ply: holds no faces");
+  this->ExpectRefused("none.stl", "none.stl: there is no such file");
+  this->ExpectRefused("", "is a folder, not a file");
+}
+
+TEST_F(Info, Images)
+{
+  this->WriteRamp("h.png", 8, 4);
+  const Json image = this->Of("h.png");
+  EXPECT_EQ(image["kind"], "image");
+  EXPECT_EQ(image["values"], "uint16");
+  EXPECT_EQ(image["size"], (Json{ 8, 4 }));
+  EXPECT_EQ(image["channels"][0]["least"], 0.);
+  EXPECT_EQ(image["over_the_border_in_u"]["tiles"], "no");
+  EXPECT_EQ(image["over_the_border_in_v"]["tiles"], "yes");
+  EXPECT_TRUE(image["polarity"].is_null());
+  this->Folder.Write("bad.png", "junk");
+  this->ExpectRefused("bad.png", "is not an image that can be read");
+}
+
+TEST_F(Info, PolarityIsToldByTheNormalMapBeside)
+{
+  std::vector<float> depth;
+  std::vector<float> normals;
+  for (int j = 0; j < 16; ++j)
+  {
+    for (int i = 0; i < 16; ++i)
+    {
+      const float u = float(i) * 0.7f;
+      const float v = float(15 - j) * 0.5f; // rows run down
+      depth.push_back(0.5f + 0.25f * (std::sin(u) + std::sin(v)));
+      normals.insert(normals.end(), { 0.5f + 0.4f * std::cos(u), 0.5f - 0.4f * std::cos(v), 1.f });
+    }
+  }
+  using Type = MesoImageHeader::Type;
+  MesoWriteImage(
+    this->Folder.PathOf("wool_height.png"), 16, 16, 1, Type::UnsignedShort, depth.data());
+  MesoWriteImage(
+    this->Folder.PathOf("wool_nor_gl.png"), 16, 16, 3, Type::UnsignedChar, normals.data());
+  const Json polarity = this->Of("wool_height.png")["polarity"];
+  EXPECT_LT(polarity["correlation_in_u"].get<double>(), -0.9);
+  EXPECT_EQ(polarity["brighter_is"], "deeper");
+  EXPECT_EQ(polarity["y_of_normals"], "down");
+}
+
+TEST_F(Info, ScenesNameAllThatIsMissing)
+{
+  this->Folder.Write("s.json", R"({"meso": 1, "nodes": [{"mesh": "a.obj"}, {"children": [
+    {"mesh": {"shape": "plane"}, "material": {"color_map": "b.png"},
+     "mesostructure": {"technique": "relief", "scale": 1, "height_map": "c.png"}}]}]})");
+  const Json scene = this->Of("s.json");
+  ASSERT_EQ(scene["missing"].size(), 3u);
+  EXPECT_NE(scene["missing"][0].get<std::string>().find("nodes[0].mesh: "), std::string::npos);
+  EXPECT_NE(
+    scene["missing"][2].get<std::string>().find("nodes[1].children[0].mesostructure.height_map: "),
+    std::string::npos);
+  EXPECT_EQ(scene["nodes"].size(), 3u);
+  EXPECT_EQ(scene["nodes"][2]["technique"], "relief");
+  this->Folder.Write("bad.json", R"({"meso": 1, "nodes": [{"mesh": 3}]})");
+  this->ExpectRefused("bad.json", "bad.json: nodes[0].mesh: ");
+}
+
+TEST_F(Info, SampleSpacingIsHeldToTheSurface)
+{
+  this->WriteRamp("h.png", 8, 4);
+  this->Folder.Write("m.obj", Square); // 4 x 4 object units
+  const auto warns = [&](const std::string& mesh, const std::string& spacing)
+  {
+    this->Folder.Write("s.json",
+      R"({"meso": 1, "nodes": [{"mesh": )" + mesh +
+        R"(, "mesostructure": {"technique": "relief", "scale": 0.1, "height_map": "h.png",
+      "tiles": [2, 1], "sample_spacing": )" +
+        spacing + "}}]}");
+    return this->HasWarning(this->Of("s.json"), "samples are");
+  };
+  EXPECT_FALSE(warns("\"m.obj\"", "[0.25, 1]"));
+  EXPECT_FALSE(warns("\"m.obj\"", "[0.26, 0.95]")) << "within a tenth";
+  EXPECT_TRUE(warns("\"m.obj\"", "[0.3, 1]"));
+  EXPECT_TRUE(warns("\"m.obj\"", "[0.25, 0.5]"));
+  EXPECT_FALSE(warns(R"({"shape": "plane"})", "[7, 7]")) << "which it sizes";
+  EXPECT_TRUE(warns(R"({"shape": "plane", "size": [4, 4]})", "[7, 7]"));
+}
+
+TEST_F(Info, ReliefMaps)
+{
+  // Waves of depth; where depth rises with u or v, normals lean that way, or against it (sign -1).
+  const auto write = [&](const std::string& name, float sign, int channels)
+  {
+    std::vector<float> values;
+    for (int j = 0; j < 16; ++j)
+    {
+      for (int i = 0; i < 16; ++i)
+      {
+        const float u = float(i) * 0.7f;
+        const float v = float(15 - j) * 0.5f; // rows run down
+        const float pixel[4] = { 0.5f + sign * 0.4f * std::cos(u), 0.5f + sign * 0.4f * std::cos(v),
+          1.f, 0.5f + 0.25f * (std::sin(u) + std::sin(v)) };
+        values.insert(values.end(), pixel, pixel + channels);
+      }
+    }
+    MesoWriteImage(this->Folder.PathOf(name), 16, 16, channels, MesoImageHeader::Type::UnsignedChar,
+      values.data());
+  };
+  const auto scene = [&](const std::string& map)
+  {
+    return this->Folder.Write("s.json",
+      R"({"meso": 1, "nodes": [{"mesh": {"shape": "plane"},
+      "mesostructure": {"technique": "relief", "scale": 0.1, "relief_map": ")" +
+        map + R"("}}]})");
+  };
+  write("rgba.png", 1.f, 4);
+  write("rgb.png", 1.f, 3);
+  scene("rgba.png");
+  const Json agrees = this->Of("s.json");
+  EXPECT_EQ(agrees["nodes"][0]["map_size"], (Json{ 16, 16 }));
+  EXPECT_FALSE(this->HasWarning(agrees, "normal map"));
+  write("wrong.png", -1.f, 4);
+  scene("wrong.png");
+  EXPECT_TRUE(this->HasWarning(this->Of("s.json"), "one of heights, not of depths"));
+  scene("rgb.png");
+  this->ExpectRefused("s.json", "a relief map has four channels");
+}
