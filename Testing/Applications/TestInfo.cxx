@@ -4,7 +4,12 @@
 #include "RunMeso.h"
 #include "TemporaryFolder.h"
 
+#include "MesoBakedFile.h"
 #include "MesoImageFile.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -203,6 +208,71 @@ TEST_F(Info, SampleSpacingIsHeldToTheSurface)
   EXPECT_TRUE(warns("\"m.obj\"", "[0.25, 0.5]"));
   EXPECT_FALSE(warns(R"({"shape": "plane"})", "[7, 7]")) << "which it sizes";
   EXPECT_TRUE(warns(R"({"shape": "plane", "size": [4, 4]})", "[7, 7]"));
+}
+
+TEST_F(Info, BakedTables)
+{
+  MesoBaked baked;
+  baked.Kind = "cone";
+  baked.Parameters["wrap"] = std::string("repeat");
+  baked.Parameters["range"] = std::vector<double>{ 0., 0.5 };
+  baked.Table = vtkSmartPointer<vtkImageData>::New();
+  baked.Table->SetDimensions(3, 2, 1);
+  baked.Table->AllocateScalars(VTK_FLOAT, 1);
+  baked.Table->GetPointData()->GetScalars()->SetName("ratio");
+  baked.Table->GetPointData()->GetScalars()->Fill(2.5);
+  MesoWriteBaked(this->Folder.PathOf("t.cone.vti"), baked);
+  const Json table = this->Of("t.cone.vti");
+  EXPECT_EQ(table["kind"], "baked table");
+  EXPECT_EQ(table["table"], "cone");
+  EXPECT_EQ(table["size"], (Json{ 3, 2, 1 }));
+  EXPECT_EQ(table["parameters"]["wrap"], "repeat");
+  EXPECT_EQ(table["parameters"]["range"], (Json{ 0., 0.5 }));
+  EXPECT_EQ(table["arrays"][0]["name"], "ratio");
+  EXPECT_EQ(table["arrays"][0]["range_of_magnitude"], (Json{ 2.5, 2.5 }));
+}
+
+TEST_F(Info, ElevationsSizeAPlaneInMetres)
+{
+  std::string record(1024, ' ');
+  const auto put = [&](std::size_t place, const std::string& field)
+  { record.replace(place, field.size(), field); };
+  put(528, "     2     2     4");
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    put(546 + 24 * i, "   0.000000000000000D+00");
+  }
+  put(816, "0.300000E+020.200000E+020.100000E+01     1     2");
+  std::string bytes = record;
+  for (int profile = 0; profile < 2; ++profile)
+  {
+    record.assign(1024, ' ');
+    put(0, "     1     1     3     1");
+    for (std::size_t i = 0; i < 5; ++i)
+    {
+      put(24 + 24 * i, "   0.000000000000000D+00");
+    }
+    put(144, "   100   150   300");
+    bytes += record;
+  }
+  this->Folder.Write("t.dem", bytes);
+  const Json elevations = this->Of("t.dem");
+  EXPECT_EQ(elevations["kind"], "elevations");
+  EXPECT_EQ(elevations["size"], (Json{ 2, 3 }));
+  EXPECT_EQ(elevations["scale_in_true_proportion"], 200.);
+  EXPECT_EQ(elevations["extent"], (Json{ 60., 60. }));
+
+  const auto scene = [&](const std::string& size)
+  {
+    this->Folder.Write("s.json",
+      R"({"meso": 1, "nodes": [{"mesh": {"shape": "plane")" + size +
+        R"(}, "mesostructure": {"technique": "relief", "scale": 200, "height_map": "t.dem"}}]})");
+    return this->Of("s.json");
+  };
+  const Json sized = scene("");
+  EXPECT_EQ(sized["warnings"].size(), 0u) << sized.dump();
+  EXPECT_TRUE(
+    this->HasWarning(scene(R"(, "size": [120, 60])"), "are 30 x 20 apart, but lie 60 x 20"));
 }
 
 TEST_F(Info, ReliefMaps)
