@@ -88,7 +88,8 @@ int CommandInfo::Run()
   const ::Json report = JsonOfFile(this->File);
   if (this->Json)
   {
-    std::cout << report.dump(2) << "\n";
+    // Names in files need not be UTF-8, which JSON must be.
+    std::cout << report.dump(2, ' ', false, ::Json::error_handler_t::replace) << "\n";
   }
   else
   {

@@ -126,6 +126,12 @@ TEST_F(Info, Meshes)
   EXPECT_TRUE(mesh["volume"].is_null());
   EXPECT_TRUE(this->HasWarning(mesh, "1 of 5 vertices are in no face"));
 
+  this->Folder.Write("latin1.ply",
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float caf\xe9\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n");
+  EXPECT_TRUE(this->HasWarning(this->Of("latin1.ply"), "not used: caf"));
+
   this->Folder.Write("bad.ply", "ply\nformat ascii 1.0\nend_header\n");
   this->ExpectRefused("bad.ply", "bad.ply: holds no faces");
   this->ExpectRefused("none.stl", "none.stl: there is no such file");
