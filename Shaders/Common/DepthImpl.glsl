@@ -1,1 +1,2 @@
   gl_FragDepth = depthOf(mesoHitVC);
+//MESO::CoincidentDepth

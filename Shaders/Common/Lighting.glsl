@@ -78,9 +78,15 @@ void blockLights()
 #if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
   for (int i = 0; i < MESO_LIGHT_COUNT; ++i)
   {
+    float lightDistance = mesoLights[i].Distance;
+#ifdef MESO_CLIPPED
+    // What is cut away casts no shadow.
+    lightDistance =
+      clamp(keptStretch(mesoHitVC, -mesoLights[i].TravelVC).y, 0.0, lightDistance);
+#endif
     int fetches;
-    mesoBlocked[i] = blockedFraction(mesoFragment, mesoHit, -mesoLights[i].TravelVC,
-      mesoLights[i].Distance, fetches);
+    mesoBlocked[i] = blockedFraction(
+      mesoFragment, mesoHit, -mesoLights[i].TravelVC, lightDistance, fetches);
     mesoShadowFetches += fetches;
   }
 #endif

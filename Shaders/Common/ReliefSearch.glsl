@@ -19,6 +19,33 @@ HeightHit searchRelief(HeightPath path)
 #endif
 }
 
+// The same on the stretch of the view ray that clipping planes keep; rayLength is that of the whole
+// path. A ray that comes in below the surface, through a cut, sees nothing until it is outside.
+HeightHit searchKept(MesoFragment f, HeightPath path, float rayLength)
+{
+#ifdef MESO_CLIPPED
+  if (f.RayStart > 0.0)
+  {
+    HeightHit found = noHit();
+    int fetches = 0;
+    float start = 1.0;
+    if (f.RayStart < rayLength && pathIsSound(path))
+    {
+      start = partOutside(path, f.RayStart / rayLength, MESO_LINEAR_STEPS, fetches);
+    }
+    if (start < 1.0)
+    {
+      found = searchRelief(restOfPath(path, start));
+      found.Part = start + (1.0 - start) * found.Part;
+    }
+    found.Fetches += fetches;
+    found.TexelReads += 4 * fetches;
+    return found;
+  }
+#endif
+  return searchRelief(path);
+}
+
 // 1.0 where the relief blocks a path out of it, else 0.0.
 float reliefOccludes(HeightPath path, out int fetches)
 {

@@ -5,6 +5,7 @@
 //   MESO_CURVATURE    the quadric is that of the vertices, else the tangent plane
 //   MESO_DISPLACED    the mesh itself is the detail
 //   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
+//   MESO_CLIPPED      clipping planes cut the surface
 //   MESO_AOV          every pixel's hit is written out as numbers
 //   MESO_LIGHT_COUNT  number of lights that are on
 
@@ -18,6 +19,9 @@ struct MesoFragment
   vec3 PerMapU;    // dp/du per unit of map coordinate
   vec3 PerMapV;    // dp/dv
   vec3 PerDepth;   // -D n: from depth 0 (the mesh) to depth 1 (the deepest point)
+#ifdef MESO_CLIPPED
+  float RayStart;  // length along the view ray up to which all is cut away, at least 0
+#endif
 #ifdef MESO_QUADRIC
   vec3 Quadric;    // the base below its tangent plane, depth over map coordinates: Kernels/Quadric
   vec3 Metric;     // its lengths there, in units of D

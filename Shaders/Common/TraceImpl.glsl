@@ -1,5 +1,13 @@
   mesoFragment = makeFragment(cameraParallel != 0, gl_FrontFacing);
+#ifdef MESO_CLIPPED
+  vec2 mesoKept = keptStretch(mesoFragment.PositionVC, mesoFragment.ViewVC);
+  mesoFragment.RayStart = max(mesoKept.x, 0.0);
+#endif
   mesoHit = traceSurface(mesoFragment);
+#ifdef MESO_CLIPPED
+  mesoHit.Found =
+    mesoHit.Found && mesoHit.RayLength >= mesoKept.x && mesoHit.RayLength <= mesoKept.y;
+#endif
   if (!mesoHit.Found)
   {
     discard;

@@ -10,7 +10,8 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   {
     return false;
   }
-  HeightHit found = searchRelief(straightPath(f.MapCoord, rate.xy / rate.z, 0.0, 1.0));
+  HeightHit found =
+    searchKept(f, straightPath(f.MapCoord, rate.xy / rate.z, 0.0, 1.0), 1.0 / rate.z);
   if (found.Hit) // else a number is not finite
   {
     hit.RayLength = found.RayDepth / rate.z;

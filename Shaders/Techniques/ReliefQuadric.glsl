@@ -28,7 +28,7 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   {
     return false;
   }
-  HeightHit found = searchRelief(path);
+  HeightHit found = searchKept(f, path, lengthEnd);
   if (found.Hit)
   {
     hit.RayLength = found.Part * lengthEnd;

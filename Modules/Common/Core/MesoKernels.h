@@ -141,6 +141,7 @@ public:
 #include "MesoHeightFieldFloat.h"
 //
 #include "MesoHeightPathFloat.h"
+#include "MesoPathCutFloat.h"
 //
 #include "MesoLinearSearchFloat.h"
 //
@@ -179,6 +180,7 @@ public:
 #include "MesoHeightFieldDouble.h"
 //
 #include "MesoHeightPathDouble.h"
+#include "MesoPathCutDouble.h"
 //
 #include "MesoLinearSearchDouble.h"
 //

@@ -34,3 +34,15 @@ void MesoReadTexturesAtHit(MesoShaderAssembler& fragment, const MesoActorTexture
     }
   }
 }
+
+void MesoReadScalarsAtHit(MesoShaderAssembler& fragment, bool texture)
+{
+  if (texture)
+  {
+    fragment.Rename("texture(colortexture, tcoordVCVSOutput.st)",
+      "texture(colortexture, scalarPlaceAtHit(tcoordVCVSOutput.st))", 1);
+    return;
+  }
+  fragment.Rename("vertexColorVSOutput.rgb", "scalarAtHit(vertexColorVSOutput).rgb", 2);
+  fragment.Rename("vertexColorVSOutput.a", "scalarAtHit(vertexColorVSOutput).a", 1);
+}

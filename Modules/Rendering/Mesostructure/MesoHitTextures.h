@@ -3,7 +3,8 @@
 
 /**
  * @file MesoHitTextures.h
- * @brief An actor's colour textures, read where the ray hit instead of at the base mesh.
+ * @brief An actor's colour textures and scalar colours, read where the ray hit instead of at the base
+ * mesh.
  */
 
 #include <string>
@@ -21,5 +22,9 @@ bool MesoHasColorTextures(const MesoActorTextures& textures);
 
 /// Make the fragment shader, once VTK has written its part, read them by Common/TextureDec.glsl.
 void MesoReadTexturesAtHit(MesoShaderAssembler& fragment, const MesoActorTextures& textures);
+
+/// The same for colours by a point array, by Common/ScalarDec.glsl: VTK reads them in a texture of the
+/// lookup table, or has them at the vertices.
+void MesoReadScalarsAtHit(MesoShaderAssembler& fragment, bool texture);
 
 #endif

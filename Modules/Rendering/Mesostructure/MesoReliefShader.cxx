@@ -26,7 +26,7 @@ MesoShaderShape MesoReliefShader::GetShape() const
   shape.Attributes = { { "mesoTangent", "MesoTangent" }, { "mesoBitangent", "MesoBitangent" },
     { "mesoTileScale", "MesoTileScale" } };
   shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-    "Kernels/HeightPath.glsl", "Kernels/LinearSearch.glsl" };
+    "Kernels/HeightPath.glsl", "Kernels/PathCut.glsl", "Kernels/LinearSearch.glsl" };
   const MesoSearch search = MesoSearchOf(this->Options);
   const MesoSearchSteps steps = MesoStepsOfQuality(this->Options.Quality);
   int refining = steps.Binary;

@@ -51,6 +51,8 @@ void MesoShaderBuild::Define(const MesoShaderShape& shape)
   define("MESO_HEIGHT_COLORS", this->HeightColored);
   define("MESO_CLIPPED", this->Clipped);
   define("MESO_DIFFERENTIAL", this->UsesDifferential());
+  define("MESO_SCALARS", this->Scalars);
+  define("MESO_SCALAR_TEXTURE", this->Scalars && this->ScalarTexture);
   define("MESO_LIT", this->Lit);
   define("MESO_LIGHTING", this->OwnLighting);
   define("MESO_HEADLIGHT", this->LightComplexity == 1);
@@ -113,12 +115,16 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
       Before(fragment, declarations, "Common/TextureDec.glsl");
       Before(fragment, "//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl");
     }
-    Before(fragment, "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl");
+    if (this->Scalars)
+    {
+      Before(fragment, declarations, "Common/ScalarDec.glsl");
+      Before(fragment, "//VTK::UniformFlow::Impl", "Common/ScalarImpl.glsl");
+    }
     if (this->Clipped)
     {
       Before(fragment, declarations, "Common/ClipDec.glsl");
-      Before(fragment, "//VTK::UniformFlow::Impl", "Common/ClipImpl.glsl");
     }
+    Before(fragment, "//VTK::UniformFlow::Impl", "Common/TraceImpl.glsl");
   }
   if (this->HeightColored)
   {
@@ -136,7 +142,9 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
   if (this->WritesDepth)
   {
     Before(fragment, declarations, "Common/DepthDec.glsl");
-    Before(fragment, "//VTK::Depth::Impl", "Common/DepthImpl.glsl");
+    // The hook goes: where depth peeling still finds it, it writes the base mesh's depth.
+    fragment.Replace(
+      "//VTK::Depth::Impl", "Common/DepthImpl.glsl", MesoShaderText("Common/DepthImpl.glsl"));
   }
   if (this->OwnLighting)
   {

@@ -28,6 +28,8 @@ struct MesoShaderBuild
   bool Numbers = false;       ///< every pixel's hit is written out as numbers
   bool Specular = false;      ///< the material has a highlight
   bool TextureMoved = false;  ///< the actor carries a texture transform
+  bool Scalars = false;       ///< colours by a point array are those where the ray hit
+  bool ScalarTexture = false; ///< VTK reads them in a texture of the lookup table
   int ContourHeights = 0;     ///< contour lines given one by one
   int LightComplexity = 0;    ///< VTK's: 0 none, 1 a headlight, 2 directional lights, 3 any
   int LightCount = 0;

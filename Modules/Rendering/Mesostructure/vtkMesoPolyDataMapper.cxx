@@ -166,7 +166,15 @@ void vtkMesoPolyDataMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetContourLines(other->ContourLines);
     this->SetMapNumbers(other->MapNumbers[0], other->MapNumbers[1]);
   }
-  this->Superclass::ShallowCopy(mapper);
+  if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->SetPointIdArrayName(other->GetPointIdArrayName());
+    this->SetCompositeIdArrayName(other->GetCompositeIdArrayName());
+    this->SetProcessIdArrayName(other->GetProcessIdArrayName());
+    this->SetCellIdArrayName(other->GetCellIdArrayName());
+  }
+  // vtkOpenGLPolyDataMapper's own copies these, and shader code by functions that warn of themselves.
+  this->vtkPolyDataMapper::ShallowCopy(mapper);
 }
 
 MesoTechniqueShader* vtkMesoPolyDataMapper::GetTechnique()
@@ -216,6 +224,12 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   if (!this->WhyPlain.empty())
   {
     this->WarnOnce(this->WhyPlain);
+  }
+  else if (shape.Traces && actor->GetProperty()->GetTexture("normalTex"))
+  {
+    this->WarnOnce(
+      "The normal texture of the actor's property is not read: relief has the normals of "
+      "its height map.");
   }
   this->EffectsDrawn = !this->WhyPlain.empty() || !(shape.Traces || shape.Displaced)
     ? MesoEffects()
@@ -283,6 +297,11 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.Textured = build.Traces && this->HaveTCoords(this->CurrentInput) &&
     MesoHasColorTextures(this->GetTextures(actor));
 
+  const bool scalarsAtVertices = this->VBOs->GetNumberOfComponents("scalarColor") != 0;
+  build.ScalarTexture = !scalarsAtVertices && this->InterpolateScalarsBeforeMapping &&
+    this->ColorCoordinates && this->HaveTCoords(this->CurrentInput);
+  build.Scalars = build.Traces && !build.HeightColored && !this->DrawingVertices &&
+    (scalarsAtVertices || build.ScalarTexture);
   build.Numbers = aov;
   build.Specular = actor->GetProperty()->GetSpecular() != 0.0;
   vtkInformation* keys = actor->GetPropertyKeys();
@@ -338,12 +357,19 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
 
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
 
-  if (build.Textured)
+  if (build.Textured || build.Scalars)
   {
-    MesoShaderAssembler textured("fragment shader", shaders[vtkShader::Fragment]->GetSource());
-    MesoReadTexturesAtHit(textured, this->GetTextures(actor));
-    shaders[vtkShader::Fragment]->SetSource(textured.GetText());
-    this->Report(textured);
+    MesoShaderAssembler atHit("fragment shader", shaders[vtkShader::Fragment]->GetSource());
+    if (build.Textured)
+    {
+      MesoReadTexturesAtHit(atHit, this->GetTextures(actor));
+    }
+    if (build.Scalars)
+    {
+      MesoReadScalarsAtHit(atHit, build.ScalarTexture);
+    }
+    shaders[vtkShader::Fragment]->SetSource(atHit.GetText());
+    this->Report(atHit);
   }
   this->Report(vertex);
   this->Report(geometry);
@@ -396,7 +422,7 @@ void vtkMesoPolyDataMapper::ReplaceShaderCoincidentOffset(
   MesoShaderAssembler fragment("fragment shader", shaders[vtkShader::Fragment]->GetSource());
   fragment.Replace("//VTK::Coincident::Dec", "Common/CoincidentDec.glsl",
     MesoShaderText("Common/CoincidentDec.glsl"));
-  fragment.Replace("//VTK::Depth::Impl", "Common/CoincidentImpl.glsl",
+  fragment.Replace("//MESO::CoincidentDepth", "Common/CoincidentImpl.glsl",
     MesoShaderText("Common/CoincidentImpl.glsl"));
   shaders[vtkShader::Fragment]->SetSource(fragment.GetText());
   this->Report(fragment);

@@ -36,6 +36,15 @@ vtkImageData* vtkMesoReliefMapper::GetHeightMap()
   return this->Relief->GetHeightMap();
 }
 
+void vtkMesoReliefMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkMesoReliefMapper::SafeDownCast(mapper))
+  {
+    this->SetHeightMap(other->GetHeightMap());
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
 MesoTechniqueShader* vtkMesoReliefMapper::GetTechnique()
 {
   return this->Relief.get();

@@ -52,6 +52,9 @@ public:
   vtkImageData* GetHeightMap();
   ///@}
 
+  /// Draw as another mapper does; the height map is shared.
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
 protected:
   vtkMesoReliefMapper();
   ~vtkMesoReliefMapper() override;

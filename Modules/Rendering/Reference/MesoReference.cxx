@@ -68,10 +68,6 @@ std::string NotShown(const MesoSceneBuilder::Object& object)
   {
     return "contour lines (contours)";
   }
-  if (object.Mapper->GetNumberOfClippingPlanes() > 0)
-  {
-    return "clipping planes (clipping_planes)";
-  }
   return {};
 }
 
@@ -162,6 +158,11 @@ MesoReference::MesoReference(const MesoScene& scene, Surface surface, double fac
     }
   }
   inside.Tracer = std::make_unique<MesoReferenceTracer>(inside.Surfaces, facetsPerTexel);
+  for (const MesoSceneClippingPlane& plane : scene.ClippingPlanes)
+  {
+    inside.Tracer->AddClippingPlane({ plane.Point[0], plane.Point[1], plane.Point[2] },
+      { plane.Normal[0], plane.Normal[1], plane.Normal[2] });
+  }
   inside.PrepareSeconds = SecondsSince(start);
 }
 

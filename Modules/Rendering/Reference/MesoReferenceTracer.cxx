@@ -329,8 +329,41 @@ void MesoReferenceTracer::FromFacet(const Ray& ray, MesoReferenceHit& hit) const
   hit.Y = place.y;
 }
 
-bool MesoReferenceTracer::Trace(const Ray& ray, MesoReferenceHit& hit, MesoTraceWork& work) const
+void MesoReferenceTracer::AddClippingPlane(const glm::dvec3& point, const glm::dvec3& normal)
 {
+  this->ClippingPlanes.emplace_back(normal, -glm::dot(normal, point));
+}
+
+MesoReferenceTracer::Ray MesoReferenceTracer::Kept(const Ray& ray) const
+{
+  Ray kept = ray;
+  for (const glm::dvec4& plane : this->ClippingPlanes)
+  {
+    const double above = glm::dot(plane, glm::dvec4(ray.Origin, 1.));
+    const double rise = glm::dot(glm::dvec3(plane), ray.Direction);
+    if (rise > 0.)
+    {
+      kept.TMin = std::max(kept.TMin, -above / rise);
+    }
+    else if (rise < 0.)
+    {
+      kept.TMax = std::min(kept.TMax, -above / rise);
+    }
+    else if (above < 0.)
+    {
+      kept.TMax = -std::numeric_limits<double>::infinity();
+    }
+  }
+  return kept;
+}
+
+bool MesoReferenceTracer::Trace(const Ray& whole, MesoReferenceHit& hit, MesoTraceWork& work) const
+{
+  const Ray ray = this->Kept(whole);
+  if (ray.TMin > ray.TMax)
+  {
+    return false;
+  }
   Query query(*this, ray, Query::Kind::Surface, work);
   (this->Diced ? *this->Diced : this->Patches).Trace(query);
   if (this->Diced && query.Found)
@@ -353,8 +386,13 @@ bool MesoReferenceTracer::Trace(const Ray& ray, MesoReferenceHit& hit, MesoTrace
   return query.Found;
 }
 
-bool MesoReferenceTracer::Blocked(const Ray& ray, int from, bool alone, MesoTraceWork& work) const
+bool MesoReferenceTracer::Blocked(const Ray& whole, int from, bool alone, MesoTraceWork& work) const
 {
+  const Ray ray = this->Kept(whole);
+  if (ray.TMin > ray.TMax)
+  {
+    return false;
+  }
   Query query(*this, ray, Query::Kind::Surface, work);
   query.From = from;
   query.Only = alone ? from : -1;

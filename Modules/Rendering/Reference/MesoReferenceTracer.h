@@ -47,6 +47,10 @@ public:
 
   static constexpr std::size_t MostFacets = 200000000;
 
+  /// Of all surfaces only what lies on the side that the normal points to is there, for Trace and
+  /// Blocked. World space.
+  void AddClippingPlane(const glm::dvec3& point, const glm::dvec3& normal);
+
   /// The nearest hit.
   bool Trace(const Ray& ray, MesoReferenceHit& hit, MesoTraceWork& work) const;
 
@@ -69,6 +73,8 @@ private:
     std::vector<std::uint32_t> FirstFacet; ///< of each triangle, and of the end
   };
   void Dice(double facetsPerTexel);
+  /// The stretch of a ray that the clipping planes keep; TMin > TMax where there is none.
+  Ray Kept(const Ray& ray) const;
   /// A hit on a facet as one on the patch that it was cut from; t in double.
   void FromFacet(const Ray& ray, MesoReferenceHit& hit) const;
 
@@ -77,7 +83,8 @@ private:
   std::unique_ptr<MesoRayScene> Diced;
   std::vector<Dicing> Dicings;
   std::size_t Facets = 0;
-  bool AnyTwoSided = false; ///< among the displaced
+  std::vector<glm::dvec4> ClippingPlanes; ///< (n, d): n.p + d >= 0 is kept
+  bool AnyTwoSided = false;               ///< among the displaced
 };
 
 #endif

@@ -67,6 +67,11 @@ MesoTechniqueModel::MesoTechniqueModel(const MesoScene& scene)
   : Inside(std::make_unique<Implementation>(scene))
 {
   Implementation& inside = *this->Inside;
+  if (!scene.ClippingPlanes.empty())
+  {
+    throw MesoInputError("clipping_planes: a relief that is cut has no model that could be solved "
+                         "apart from its technique");
+  }
   inside.Builder.Build(scene, inside.Renderer);
   inside.Renderer->UpdateLightsGeometryToFollowCamera();
   for (const MesoSceneLight& light : scene.Lights)
