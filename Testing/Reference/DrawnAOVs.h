@@ -12,7 +12,7 @@
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
-inline MesoAOVs DrawnAOVs(const MesoScene& scene, int width, int height)
+inline MesoExrImage DrawnImage(const MesoScene& scene, int width, int height)
 {
   vtkNew<vtkMesoEGLRenderWindow> window;
   window->SetMultiSamples(0);
@@ -36,7 +36,12 @@ inline MesoAOVs DrawnAOVs(const MesoScene& scene, int width, int height)
   image.Data = pass->GetInterleaved(image.ChannelNames);
   image.Attributes = MesoAttributesOfScene(builder, renderer, double(width) / height);
   pass->ReleaseGraphicsResources(window);
-  return MesoAOVsOfImage(image);
+  return image;
+}
+
+inline MesoAOVs DrawnAOVs(const MesoScene& scene, int width, int height)
+{
+  return MesoAOVsOfImage(DrawnImage(scene, width, height));
 }
 
 #endif

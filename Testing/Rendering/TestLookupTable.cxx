@@ -139,3 +139,18 @@ TEST(LookupTable, SymmetricRangesLeaveOutliersAndZerosOut)
   EXPECT_EQ(MesoSymmetricRangeOf(ArrayOf({}), 0), (Range{ -1., 1. }));
   EXPECT_EQ(MesoSymmetricRangeOf(ArrayOf({ { -2., 0. }, { NaN, 0. } }), 0), (Range{ -2., 2. }));
 }
+
+TEST(LookupTable, TerrainGetsLighterWithHeight)
+{
+  const auto table = MesoMakeLookupTable("terrain", { 0., 1. });
+  double before = -1.;
+  for (int i = 0; i <= 100; ++i)
+  {
+    double color[3];
+    table->GetColor(0.01 * i, color);
+    const double light = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+    EXPECT_GE(light, before) << i;
+    before = light;
+  }
+  EXPECT_GT(before, 0.95);
+}

@@ -44,7 +44,10 @@ const std::vector<MesoColorMap>& MesoColorMaps()
 {
   static const std::vector<MesoColorMap> maps = { { "viridis", false, Viridis() },
     { "coolwarm", true, { { 0.230, 0.299, 0.754 }, { 0.706, 0.016, 0.150 } } },
-    { "grey", false, { { 0., 0., 0. }, { 1., 1., 1. } } } };
+    { "grey", false, { { 0., 0., 0. }, { 1., 1., 1. } } },
+    { "terrain", false,
+      { { 0.11, 0.29, 0.21 }, { 0.25, 0.42, 0.24 }, { 0.47, 0.54, 0.29 }, { 0.69, 0.63, 0.40 },
+        { 0.80, 0.71, 0.56 }, { 0.89, 0.84, 0.77 }, { 0.98, 0.98, 0.98 } } } };
   return maps;
 }
 

@@ -12,6 +12,8 @@
  *   ends; between them Msh colours, as the paper has it and as vtkColorTransferFunction interpolates
  *   in its space `Diverging`.
  * - grey: black to white, linear.
+ * - terrain: elevations, from the green of lowlands over sand and rock to snow; lighter throughout, so
+ *   that it reads in grey as well. Our own.
  */
 
 #include "mesoCommonCoreModule.h" // for export macro
@@ -27,7 +29,7 @@ struct MesoColorMap
   std::vector<std::array<double, 3>> Colors; ///< red, green, blue in [0,1], evenly spaced
 };
 
-/// viridis, coolwarm, grey.
+/// viridis, coolwarm, grey, terrain.
 MESOCOMMONCORE_EXPORT const std::vector<MesoColorMap>& MesoColorMaps();
 
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoColorMapNames();
