@@ -234,6 +234,22 @@ TEST(SceneRefusals, Maps)
     OfNode(R"("mesh": "a", "mesostructure": {"scale": -1})"), "scale: must be 0 or more, is -1"));
 }
 
+TEST(SceneRefusals, ClippingPlanes)
+{
+  EXPECT_EQ(OfScene(R"("clipping_planes": [])"), "read without an error");
+  EXPECT_TRUE(Mentions(OfScene(R"("clipping_planes": [[0, 0, 1]])"),
+    "s.json: clipping_planes[0]: must be a list of 2, has 3"));
+  EXPECT_TRUE(Mentions(
+    OfScene(R"("clipping_planes": [[[0, 0, 0], [0, 0, 0]]])"), "s.json: clipping_planes[0][1]: "));
+  std::string planes = "[[0, 0, 0], [0, 0, 1]]";
+  for (int i = 0; i < 6; ++i)
+  {
+    planes += ", [[0, 0, 0], [0, 0, 1]]";
+  }
+  EXPECT_EQ(OfScene("\"clipping_planes\": [" + planes + "]"),
+    "s.json: clipping_planes: at most 6 planes can be drawn");
+}
+
 TEST(SceneRefusals, ContoursAndScalarBars)
 {
   const std::pair<const char*, const char*> cases[] = {
