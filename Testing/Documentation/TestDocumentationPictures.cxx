@@ -35,6 +35,8 @@ const Picture Pictures[] = {
   { "Demo", "demo.json", "400x300" },
   { "ColorHeight", "Documentation/ColorHeight.json", "320x240" },
   { "ReferenceDemo", "demo.json", "320x240", "reference" },
+  { "HeightFieldGlobe", "Documentation/HeightFieldGlobe.json", "400x300" },
+  { "HeightFieldPlane", "Documentation/HeightFieldPlane.json", "400x300" },
   { "ReliefColumn", "Documentation/ReliefColumn.json", "400x300" },
   { "ReliefDraft", "Documentation/ReliefDraft.json", "400x300" },
   { "ReliefHigh", "Documentation/ReliefHigh.json", "400x300" },
