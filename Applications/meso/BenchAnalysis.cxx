@@ -70,5 +70,7 @@ std::optional<double> BenchSlope(const std::vector<std::pair<double, double>>& p
 std::string BenchLabel(const Json& row)
 {
   const std::string quality = row["quality"];
-  return row["technique"].get<std::string>() + (quality.empty() ? "" : " ") + quality;
+  const std::string search = row.value("search", "");
+  return row["technique"].get<std::string>() + (quality.empty() ? "" : " ") + quality +
+    (search.empty() ? "" : " ") + search;
 }

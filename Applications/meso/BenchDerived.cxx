@@ -50,7 +50,8 @@ std::optional<double> BenchOrder(const std::vector<Json>& rows, const std::strin
   for (const Json& row : rows)
   {
     if (row["technique"] != technique || row["status"] != "ok" ||
-      !row["errors"].contains(surface) || row["quality"].get<std::string>().empty())
+      !row["errors"].contains(surface) || row["quality"].get<std::string>().empty() ||
+      row["quality"] == MesoName(MesoQuality::Certified) || row.value("search", "") != "")
     {
       continue;
     }

@@ -62,10 +62,12 @@ bool Plot(const Rows& rows, const std::string& scene, const std::string& figure,
     {
       points.emplace_back(std::max(*BenchTime(row), LeastTime), std::max(*error, LeastError));
       const std::string technique = row["technique"];
-      BenchCurve& curve = curves[technique];
-      curve.Name = technique;
+      const std::string search = row.value("search", "");
+      const std::string name = technique + (search.empty() ? "" : " " + search);
+      BenchCurve& curve = curves[name];
+      curve.Name = name;
       curve.Color = ColorOfTechnique(technique);
-      places.emplace_back(technique, curve.Points.size());
+      places.emplace_back(name, curve.Points.size());
       curve.Points.push_back({ points.back().first, points.back().second, false });
     }
   }

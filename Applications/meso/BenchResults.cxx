@@ -41,13 +41,15 @@ Json DescribeMachine()
 }
 
 /// A row's place among those of its scene.
-std::array<std::size_t, 3> Order(const Json& row)
+std::array<std::size_t, 4> Order(const Json& row)
 {
   const auto place = [](const std::vector<std::string>& names, const std::string& name)
   { return std::size_t(std::find(names.begin(), names.end(), name) - names.begin()); };
   // "none", the row with all effects, comes last and is put first.
   const std::size_t effects = MesoEffectNames().size() + 1;
+  const std::size_t searches = MesoSearchNames().size() + 1; // so does the quality's own search
   return { place(MesoTechniqueNames(), row["technique"]), place(MesoQualityNames(), row["quality"]),
+    (place(MesoSearchNames(), row.value("search", "")) + 1) % searches,
     (place(MesoEffectNames(), row.value("without", "none")) + 1) % effects };
 }
 
@@ -112,9 +114,9 @@ const char* const CostNames[] = { "ratio_to_floor", "clock", "runs", "fetches_me
 void WriteLine(std::ostream& csv, const Json& row, const std::string& surface, const Json& error,
   const std::vector<std::string>& figures)
 {
-  for (const char* name : { "scene", "technique", "quality", "status", "reason" })
+  for (const char* name : { "scene", "technique", "quality", "search", "status", "reason" })
   {
-    csv << Field(row[name]) << ',';
+    csv << Field(ValueOf(row, name)) << ',';
   }
   csv << row["size"][0] << ',' << row["size"][1] << ',' << Field(surface) << ','
       << (ValueOf(row, "judged_by") == surface ? 1 : 0) << ','
@@ -257,7 +259,7 @@ std::string BenchResults::Csv() const
     }
   }
   std::ostringstream csv;
-  csv << "scene,technique,quality,status,reason,width,height,surface,judged,depth_unit";
+  csv << "scene,technique,quality,search,status,reason,width,height,surface,judged,depth_unit";
   for (const std::string& figure : figures)
   {
     csv << ',' << figure;

@@ -227,9 +227,9 @@ BenchScene::Truths BenchScene::MakeTruths(BenchResults& results, BenchProgress& 
 Json BenchScene::StartOfRow(const BenchArm& arm) const
 {
   Json row = { { "scene", this->SceneName }, { "technique", arm.TechniqueName() },
-    { "quality", arm.QualityName() }, { "key", this->KeyOfArm(arm) }, { "status", "ok" },
-    { "reason", nullptr }, { "size", this->Settings.Size }, { "device", this->Device },
-    { "version", MESO_VERSION } };
+    { "quality", arm.QualityName() }, { "search", arm.SearchName() },
+    { "key", this->KeyOfArm(arm) }, { "status", "ok" }, { "reason", nullptr },
+    { "size", this->Settings.Size }, { "device", this->Device }, { "version", MESO_VERSION } };
   if (arm.IsAblation)
   {
     row["without"] = arm.WithoutName();
@@ -288,7 +288,7 @@ std::unique_ptr<BenchScene::Arm> BenchScene::Render(const BenchArm& choice,
   {
     const auto start = std::chrono::steady_clock::now();
     vtkNew<vtkRenderer> apart; // which takes what a job that fails leaves
-    MesoScene scene = WithTechnique(this->Scene, choice.Technique, choice.Quality);
+    MesoScene scene = WithTechnique(this->Scene, choice.Technique, choice.Quality, choice.Search);
     if (choice.Without)
     {
       SwitchOff(scene.Nodes, *choice.Without);

@@ -16,13 +16,16 @@ struct BenchArm
   /// Of a part of an ablation: the effect that is off. `IsAblation` without one: all are on.
   std::optional<MesoEffect> Without;
   bool IsAblation = false;
+  std::optional<MesoSearch> Search; ///< none: what the quality stands for
 
   std::string TechniqueName() const { return MesoName(this->Technique); }
   std::string QualityName() const { return this->Quality ? MesoName(*this->Quality) : ""; }
-  /// "relief-high", for files and messages.
+  std::string SearchName() const { return this->Search ? MesoName(*this->Search) : ""; }
+  /// "relief-high", "relief-high-cone", for files and messages.
   std::string Name() const
   {
     return this->TechniqueName() + (this->Quality ? "-" + this->QualityName() : "") +
+      (this->Search ? "-" + this->SearchName() : "") +
       (this->IsAblation ? "-without-" + this->WithoutName() : "");
   }
   /// The effect that is off, or "none".

@@ -11,8 +11,8 @@
 
 namespace
 {
-void SetTechnique(
-  std::vector<MesoSceneNode>& nodes, MesoTechnique technique, std::optional<MesoQuality> quality)
+void SetTechnique(std::vector<MesoSceneNode>& nodes, MesoTechnique technique,
+  std::optional<MesoQuality> quality, std::optional<MesoSearch> search)
 {
   for (MesoSceneNode& node : nodes)
   {
@@ -21,10 +21,14 @@ void SetTechnique(
     {
       options.Technique = technique;
       options.Effects = MesoEffectChoice();
-      options.Search.reset();
+      options.Search = search;
       options.Quality = quality.value_or(options.Quality);
+      if (!quality && options.Quality == MesoQuality::Certified)
+      {
+        options.Quality = MesoQuality::High; // which every technique has
+      }
     }
-    SetTechnique(node.Children, technique, quality);
+    SetTechnique(node.Children, technique, quality, search);
   }
 }
 
@@ -68,11 +72,11 @@ bool HasSmoothSurface(const MesoScene& scene)
   return curved;
 }
 
-MesoScene WithTechnique(
-  const MesoScene& scene, MesoTechnique technique, std::optional<MesoQuality> quality)
+MesoScene WithTechnique(const MesoScene& scene, MesoTechnique technique,
+  std::optional<MesoQuality> quality, std::optional<MesoSearch> search)
 {
   MesoScene changed = scene;
-  SetTechnique(changed.Nodes, technique, quality);
+  SetTechnique(changed.Nodes, technique, quality, search);
   return changed;
 }
 

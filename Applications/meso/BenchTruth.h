@@ -20,9 +20,10 @@ const char* MesoName(BenchSurface surface);
 /// one of them is curved.
 bool HasSmoothSurface(const MesoScene& scene);
 
-/// The scene with every node that has a map drawn by this technique, with all its effects.
-MesoScene WithTechnique(
-  const MesoScene& scene, MesoTechnique technique, std::optional<MesoQuality> quality);
+/// The scene with every node that has a map drawn by this technique, with all its effects, and by this
+/// search.
+MesoScene WithTechnique(const MesoScene& scene, MesoTechnique technique,
+  std::optional<MesoQuality> quality, std::optional<MesoSearch> search = {});
 
 /**
  * Ray trace a scene, whatever its techniques, and write `<stem>.png` and `<stem>.aov.exr`. Throws

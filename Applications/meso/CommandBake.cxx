@@ -2,6 +2,7 @@
 
 #include "BakeFromMesh.h"
 #include "BakeNormal.h"
+#include "BakeSearchMap.h"
 
 #include <CLI/CLI.hpp>
 
@@ -10,6 +11,8 @@ CommandBake::CommandBake(CLI::App& app)
 {
   this->Kinds.push_back(std::make_unique<BakeFromMesh>());
   this->Kinds.push_back(std::make_unique<BakeNormal>());
+  this->Kinds.push_back(std::make_unique<BakeCone>());
+  this->Kinds.push_back(std::make_unique<BakeMaximumMip>());
   this->Command->require_subcommand(0, 1); // so that a mistyped kind is named
   for (const auto& kind : this->Kinds)
   {

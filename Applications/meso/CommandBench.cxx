@@ -83,6 +83,13 @@ CommandBench::CommandBench(CLI::App& app)
     { this->Qualities = ParseList("--qualities", text, MesoQualityFromName, MesoQualityNames()); },
     "List of qualities (default: all): " + JoinNames(MesoQualityNames()));
   command->add_option_function<std::string>(
+    "--searches",
+    [this](const std::string& text)
+    { this->Searches = ParseList("--searches", text, MesoSearchFromName, MesoSearchNames()); },
+    "List of searches of height maps, each with each quality that it goes with (default: what the "
+    "quality stands for): " +
+      JoinNames(MesoSearchNames()));
+  command->add_option_function<std::string>(
     "--size", [this](const std::string& text) { this->Size = ParseSize("--size", text); },
     "Width and height in pixels (default: 512x384, quick: 192x144)");
   command->add_flag(
@@ -94,6 +101,27 @@ CommandBench::CommandBench(CLI::App& app)
   command->add_flag("--fresh", this->Settings.Fresh,
     "Do all again, as after a change of the program, which the folder cannot see");
   command->footer("Example: meso bench Data/Bench/*.json -o bench --quick");
+}
+
+void CommandBench::AddSearches(const BenchArm& arm, std::vector<BenchArm>& arms) const
+{
+  std::vector<std::optional<MesoSearch>> searches(this->Searches.begin(), this->Searches.end());
+  if (searches.empty() || !MesoHasSearches(arm.Technique))
+  {
+    searches = { std::nullopt };
+  }
+  for (const std::optional<MesoSearch>& search : searches)
+  {
+    MesoMesostructureOptions options;
+    options.Technique = arm.Technique;
+    options.Quality = *arm.Quality;
+    options.Search = search;
+    if (MesoSearchProblem(options).empty())
+    {
+      arms.push_back(arm);
+      arms.back().Search = search;
+    }
+  }
 }
 
 std::vector<BenchArm> CommandBench::Arms() const
@@ -109,7 +137,8 @@ std::vector<BenchArm> CommandBench::Arms() const
     }
     if (value == MesoTechnique::Plain)
     {
-      arms.push_back({ value, std::nullopt, std::nullopt, false }); // which has one setting
+      arms.push_back(
+        { value, std::nullopt, std::nullopt, false, std::nullopt }); // which has one setting
       continue;
     }
     for (const std::string& quality : MesoQualityNames())
@@ -118,7 +147,7 @@ std::vector<BenchArm> CommandBench::Arms() const
       const auto& levels = this->Qualities;
       if (levels.empty() || std::find(levels.begin(), levels.end(), level) != levels.end())
       {
-        arms.push_back({ value, level, std::nullopt, false });
+        this->AddSearches({ value, level, std::nullopt, false, std::nullopt }, arms);
       }
     }
   }

@@ -24,11 +24,14 @@ public:
   int Run();
 
 private:
+  /// Adds an arm with each search that is asked for and goes with it.
+  void AddSearches(const BenchArm& arm, std::vector<BenchArm>& arms) const;
   std::vector<BenchArm> Arms() const;
 
   BenchSettings Settings;
   std::vector<MesoTechnique> Techniques;
   std::vector<MesoQuality> Qualities;
+  std::vector<MesoSearch> Searches;
   std::optional<std::array<int, 2>> Size;
 };
 

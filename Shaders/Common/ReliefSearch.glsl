@@ -12,7 +12,11 @@ int linearSteps(HeightPath path)
 // First meeting of the path with the relief.
 HeightHit searchRelief(HeightPath path)
 {
-#if MESO_SEARCH == 1
+#if MESO_SEARCH == 3
+  return searchCertified(path);
+#elif MESO_SEARCH == 2
+  return searchCone(path, linearSteps(path), MESO_REFINING_STEPS);
+#elif MESO_SEARCH == 1
   return searchLinearSecant(path, linearSteps(path), MESO_REFINING_STEPS);
 #else
   return searchLinearBinary(path, linearSteps(path), MESO_REFINING_STEPS);
@@ -49,5 +53,11 @@ HeightHit searchKept(MesoFragment f, HeightPath path, float rayLength)
 // 1.0 where the relief blocks a path out of it, else 0.0.
 float reliefOccludes(HeightPath path, out int fetches)
 {
+#if MESO_SEARCH == 3
+  return occludedCertified(path, fetches);
+#elif MESO_SEARCH == 2
+  return occludedCone(path, MESO_LINEAR_STEPS, fetches);
+#else
   return occludedLinear(path, MESO_LINEAR_STEPS, fetches);
+#endif
 }

@@ -131,7 +131,8 @@ TEST(MesoBench, TablesAreWholeAndTheReportStandsByItself)
       std::count(lines[0].begin(), lines[0].end(), ','))
       << line;
   }
-  EXPECT_EQ(lines[0].rfind("scene,technique,quality,status,reason,width,height,surface,", 0), 0u);
+  EXPECT_EQ(
+    lines[0].rfind("scene,technique,quality,search,status,reason,width,height,surface,", 0), 0u);
 
   const std::string page = scene.Bytes("out/report.html");
   EXPECT_EQ(page.find("http"), std::string::npos) << "nothing comes from elsewhere";
@@ -174,6 +175,34 @@ TEST(MesoBench, PicturesShowWhatTheySay)
   EXPECT_EQ(colors.count({ 255, 255, 255 }), 1u);
   EXPECT_EQ(colors.count({ 0, 114, 178 }), 1u) << "relief";
   EXPECT_EQ(colors.count({ 60, 60, 60 }), 1u) << "plain";
+}
+
+TEST(MesoBench, SearchesAreRowsOfTheirOwn)
+{
+  const SceneFolder scene(BrickPlane);
+  ASSERT_EQ(
+    Bench(scene, { "--searches", "cone,certified", "--qualities", "draft,certified" }).ExitCode, 0);
+  const Json results = Results(scene);
+  // The quality certified takes no other search than its own; plain has none.
+  std::vector<std::string> labels;
+  for (const Json& row : results["rows"])
+  {
+    labels.push_back(row["technique"].get<std::string>() + " " + row["quality"].get<std::string>() +
+      " " + row["search"].get<std::string>());
+    EXPECT_EQ(row["status"], "ok") << row;
+  }
+  EXPECT_EQ(labels,
+    (std::vector<std::string>{
+      "plain  ", "relief draft cone", "relief draft certified", "relief certified certified" }));
+  const auto errorOf = [&](std::size_t row)
+  { return results["rows"][row]["errors"]["solver"]["texcoord_p99"].get<double>(); };
+  EXPECT_EQ(errorOf(2), errorOf(3)) << "certified draws one picture in every quality";
+  EXPECT_LT(errorOf(3), errorOf(1));
+  EXPECT_LT(errorOf(3), 0.01);
+  const std::string report = scene.Bytes("out/report.html");
+  EXPECT_NE(report.find("relief draft cone"), std::string::npos);
+  const MesoRun wrong = Bench(scene, { "--searches", "binary" });
+  EXPECT_EQ(wrong.ExitCode, 2);
 }
 
 TEST(MesoBench, GoesOnWhereItStopped)

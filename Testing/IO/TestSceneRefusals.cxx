@@ -113,8 +113,13 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
     "s.json: nodes[0].mesostructure.quadric: technique relief has no quadric");
   EXPECT_TRUE(Mentions(
     OfNode(head + R"("technique": "relief-quadric", "quadric": "cubic"})"), "full, diagonal"));
-  EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "certified"})"),
-    "quality \"certified\" is not available yet (choices: draft, low, medium, high)"));
+  EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "full"})"),
+    "quality \"full\" is not available yet (choices: draft, low, medium, high, certified)"));
+  EXPECT_EQ(OfNode(head + R"("quality": "certified"})"),
+    "s.json: nodes[0].mesostructure.quality: technique plain has no quality certified");
+  EXPECT_EQ(OfRelief(R"(, "quality": "certified", "search": "cone")"),
+    "s.json: nodes[0].mesostructure.search: quality certified is the search certified, not cone; "
+    "name another quality, or no search");
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "best"})"), "there is no quality \"best\""));
   EXPECT_TRUE(Mentions(OfRelief(R"(, "search": "linear-binery")"), "did you mean linear-binary?"));
   EXPECT_EQ(OfNode(head + R"("search": "linear-secant"})"),

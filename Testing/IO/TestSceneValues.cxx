@@ -153,6 +153,11 @@ TEST(SceneValues, Mesostructure)
   EXPECT_EQ(
     MesoSearchOf(ParseOptions(R"("search": "linear-secant", "technique": "relief-quadric")")),
     MesoSearch::LinearSecant);
+  EXPECT_EQ(MesoSearchOf(ParseOptions(R"("quality": "certified", "technique": "relief")")),
+    MesoSearch::Certified);
+  EXPECT_EQ(MesoSearchOf(
+              ParseOptions(R"("quality": "draft", "search": "certified", "technique": "relief")")),
+    MesoSearch::Certified);
   EXPECT_EQ(options.Tiles, (std::array<double, 2>{ 6., 0.5 }));
   EXPECT_FALSE(options.Effects.Auto);
   EXPECT_EQ(options.Effects.Named, MesoEffects({ MesoEffect::Shading, MesoEffect::Depth }));

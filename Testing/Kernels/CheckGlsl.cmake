@@ -1,5 +1,5 @@
 # Fails unless glslangValidator takes KERNEL as GLSL 1.50 in a fragment shader, after the height
-# map's ACCESSORS and the kernels that its lines "// Needs A.glsl" name.
+# map's ACCESSORS (a list) and the kernels that its lines "// Needs A.glsl" name.
 cmake_minimum_required(VERSION 3.20)
 set(order "")
 macro (add_kernel file)

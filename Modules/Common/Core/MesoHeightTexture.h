@@ -5,8 +5,8 @@
  * @class MesoHeightTexture
  * @brief A height map in memory, read as a shader reads its texture.
  *
- * Offers the four accessors that the kernel HeightField.glsl asks for; Real is the number that the
- * kernels around it compute with. Heights are in [0,1], row by row, row 0 at map coordinate v = 0;
+ * Offers the four accessors that the kernel HeightField.glsl asks for, and fetchCone that HeightCone.glsl
+ * asks for; Real is the number that the kernels around it compute with. Heights are in [0,1], row by row, row 0 at map coordinate v = 0;
  * texel centres lie at (i + 0.5) / size. Constant after construction, so threads may share it.
  *
  * sampleHeight follows the OpenGL 3.2 core specification, section 3.8.8 (wrap modes REPEAT,
@@ -53,6 +53,21 @@ public:
   /// Fraction bits of sampleHeight's weights; 0 (default): as exact as Real.
   void SetWeightBits(int bits) { this->WeightSteps = bits > 0 ? std::ldexp(Real(1), bits) : 0; }
 
+  /// Cones of free space, four codes a texel each (MesoHeightCones); searches by cones need them.
+  /// Throws std::invalid_argument where there are not four a texel.
+  void SetCones(std::vector<unsigned char> apex, std::vector<unsigned char> steepness)
+  {
+    const std::size_t codes = 4 * this->Heights.size();
+    if (apex.size() != codes || steepness.size() != codes)
+    {
+      throw std::invalid_argument("Cones of " + std::to_string(this->Heights.size()) +
+        " texels: got " + std::to_string(apex.size()) + " apexes and " +
+        std::to_string(steepness.size()) + " steepnesses");
+    }
+    this->ConeApex = std::move(apex);
+    this->ConeSteepness = std::move(steepness);
+  }
+
   ///@{
   /// The accessors, named as the kernels call them.
   Real fetchHeight(const glm::ivec2& texel) const
@@ -71,6 +86,13 @@ public:
     return (1 - row.Weight) * between(row.Low) + row.Weight * between(row.High);
   }
   glm::ivec2 mapSize() const { return { this->Width, this->Height }; }
+  glm::vec<2, Real> fetchCone(const glm::ivec2& texel, int travel) const
+  {
+    const std::size_t i =
+      4 * (std::size_t(texel.y) * std::size_t(this->Width) + std::size_t(texel.x)) +
+      std::size_t(travel);
+    return { Real(this->ConeApex.at(i)) / Real(255), Real(this->ConeSteepness.at(i)) / Real(255) };
+  }
   int wrapMode() const { return static_cast<int>(this->Wrap); }
   ///@}
 
@@ -123,6 +145,8 @@ private:
   int Height;
   MesoWrap Wrap;
   std::vector<float> Heights;
+  std::vector<unsigned char> ConeApex;
+  std::vector<unsigned char> ConeSteepness;
   Real WeightSteps = 0;
 };
 

@@ -13,7 +13,8 @@
  *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
  *     a height map (constructed as MesoHeightTexture) with wrapTexel, bilinearHeight,
  *     heightGradient, patchGradient, searchLinearBinary, searchLinearSecant, occludedLinear, and the
- *     structs HeightPath (made by straightPath and bentPath) and HeightHit
+ *     structs HeightPath (made by straightPath and bentPath) and HeightHit; once it has cones (SetCones)
+ *     also searchCone, occludedCone, searchCertified, occludedCertified
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross
@@ -147,6 +148,11 @@ public:
 //
 #include "MesoLinearBinarySearchFloat.h"
 #include "MesoLinearSecantSearchFloat.h"
+//
+#include "MesoHeightConeFloat.h"
+//
+#include "MesoCertifiedSearchFloat.h"
+#include "MesoConeSearchFloat.h"
 };
 }
 #if defined(__GNUC__)
@@ -186,6 +192,11 @@ public:
 //
 #include "MesoLinearBinarySearchDouble.h"
 #include "MesoLinearSecantSearchDouble.h"
+//
+#include "MesoHeightConeDouble.h"
+//
+#include "MesoCertifiedSearchDouble.h"
+#include "MesoConeSearchDouble.h"
 };
 }
 

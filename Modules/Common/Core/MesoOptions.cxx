@@ -13,9 +13,11 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::Relief, "relief" }, { MesoTechnique::ReliefQuadric, "relief-quadric" },
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
-  { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" } };
+  { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
+  { MesoQuality::Certified, "certified" } };
 constexpr Entry<MesoSearch> Searches[] = { { MesoSearch::LinearBinary, "linear-binary" },
-  { MesoSearch::LinearSecant, "linear-secant" } };
+  { MesoSearch::LinearSecant, "linear-secant" }, { MesoSearch::Cone, "cone" },
+  { MesoSearch::Certified, "certified" } };
 constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap::Clamp, "clamp" },
   { MesoWrap::Mirror, "mirror" } };
 constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" },

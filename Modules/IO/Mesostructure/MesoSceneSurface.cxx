@@ -12,8 +12,7 @@ namespace
 const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-object", "parallax",
   "horizon", "displacement", "geometry-image", "relief-quadric-exact", "vdm", "gdm", "slices",
   "shell-sdf" };
-const std::vector<std::string> LaterQualities = { "certified", "full" };
-const std::vector<std::string> LaterSearches = { "cone", "certified" };
+const std::vector<std::string> LaterQualities = { "full" };
 
 /// A word of a list, for ToChoice.
 std::string ReadName(const MesoSceneValue& value, const std::string& kind,
@@ -332,8 +331,8 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("search",
     [&](const MesoSceneValue& search)
     {
-      options.Search = search.ToChoice<MesoSearch>(
-        "search", &MesoSearchFromName, MesoSearchNames(), LaterSearches);
+      options.Search =
+        search.ToChoice<MesoSearch>("search", &MesoSearchFromName, MesoSearchNames());
     });
   const std::string searchProblem = MesoSearchProblem(options);
   if (!searchProblem.empty())

@@ -12,6 +12,20 @@ vtkImageData* MesoReliefShader::GetHeightMap() const
   return this->Heights.GetHeightMap();
 }
 
+bool MesoReliefShader::UsesCones() const
+{
+  const MesoEffects effects = MesoEffectsOn(this->Options);
+  const MesoSearch search = MesoSearchOf(this->Options);
+  return this->GetHeightMap() && (search == MesoSearch::Cone || search == MesoSearch::Certified) &&
+    (effects.Has(MesoEffect::Occlusion) || effects.Has(MesoEffect::SelfShadow));
+}
+
+std::string MesoReliefShader::Prepare()
+{
+  return this->UsesCones() ? this->Cones.Prepare(this->GetHeightMap(), this->Options.Wrap)
+                           : std::string();
+}
+
 MesoShaderShape MesoReliefShader::GetShape() const
 {
   const MesoEffects effects = MesoEffectsOn(this->Options);
@@ -26,19 +40,18 @@ MesoShaderShape MesoReliefShader::GetShape() const
   shape.Attributes = { { "mesoTangent", "MesoTangent" }, { "mesoBitangent", "MesoBitangent" },
     { "mesoTileScale", "MesoTileScale" } };
   shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-    "Kernels/HeightPath.glsl", "Kernels/PathCut.glsl", "Kernels/LinearSearch.glsl" };
+    "Kernels/HeightPath.glsl", "Kernels/PathCut.glsl" };
   const MesoSearch search = MesoSearchOf(this->Options);
-  const MesoSearchSteps steps = MesoStepsOfQuality(this->Options.Quality);
-  int refining = steps.Binary;
-  if (search == MesoSearch::LinearSecant)
-  {
-    shape.Chunks.emplace_back("Kernels/LinearSecantSearch.glsl");
-    refining = (steps.Binary + 1) / 2;
-  }
-  else
-  {
-    shape.Chunks.emplace_back("Kernels/LinearBinarySearch.glsl");
-  }
+  const MesoSearchSteps steps = this->Steps.value_or(MesoStepsOfQuality(this->Options.Quality));
+  const int refining = search == MesoSearch::LinearSecant ? (steps.Binary + 1) / 2 : steps.Binary;
+  const std::vector<std::string> chunksOfSearch[] = { { "Kernels/LinearSearch.glsl",
+                                                        "Kernels/LinearBinarySearch.glsl" },
+    { "Kernels/LinearSearch.glsl", "Kernels/LinearSecantSearch.glsl" },
+    { "Common/ConeAccess.glsl", "Kernels/LinearSearch.glsl", "Kernels/HeightCone.glsl",
+      "Kernels/ConeSearch.glsl" },
+    { "Common/ConeAccess.glsl", "Kernels/HeightCone.glsl", "Kernels/CertifiedSearch.glsl" } };
+  const auto& searchChunks = chunksOfSearch[static_cast<int>(search)];
+  shape.Chunks.insert(shape.Chunks.end(), searchChunks.begin(), searchChunks.end());
   shape.Chunks.insert(shape.Chunks.end(),
     { "Common/ReliefSearch.glsl", "Common/ReliefFrame.glsl", "Common/ReliefSurface.glsl" });
   shape.Defines = { { "MESO_SEARCH", std::to_string(static_cast<int>(search)) },
@@ -76,12 +89,18 @@ MesoShaderShape MesoReliefShader::GetShape() const
 
 std::string MesoReliefShader::Activate(vtkOpenGLRenderWindow* window)
 {
-  return this->Heights.Activate(window, this->Options.Wrap);
+  const std::string failure = this->Heights.Activate(window, this->Options.Wrap);
+  if (!failure.empty() || !this->UsesCones())
+  {
+    return failure;
+  }
+  return this->Cones.Activate(window, this->GetHeightMap(), this->Options.Wrap);
 }
 
 void MesoReliefShader::SetUniforms(vtkShaderProgram* program)
 {
   this->Heights.SetUniforms(program);
+  this->Cones.SetUniforms(program);
   if (program->IsUniformUsed("mesoScale"))
   {
     program->SetUniformf("mesoScale", static_cast<float>(this->Options.Scale));
@@ -91,14 +110,16 @@ void MesoReliefShader::SetUniforms(vtkShaderProgram* program)
 void MesoReliefShader::Deactivate()
 {
   this->Heights.Deactivate();
+  this->Cones.Deactivate();
 }
 
 void MesoReliefShader::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Heights.ReleaseGraphicsResources(window);
+  this->Cones.ReleaseGraphicsResources(window);
 }
 
 std::size_t MesoReliefShader::GetGPUBytes() const
 {
-  return this->Heights.GetGPUBytes();
+  return this->Heights.GetGPUBytes() + this->Cones.GetGPUBytes();
 }

@@ -1,6 +1,7 @@
 #ifndef MesoReliefShader_h
 #define MesoReliefShader_h
 
+#include "MesoConeTexture.h"
 #include "MesoHeightMapTexture.h"
 #include "MesoOptions.h" // for MesoMesostructureOptions
 #include "MesoTechniqueShader.h"
@@ -19,6 +20,11 @@ public:
   void SetHeightMap(vtkImageData* heights);
   vtkImageData* GetHeightMap() const;
   void SetOptions(const MesoMesostructureOptions& options) { this->Options = options; }
+  /// Steps in place of those that the quality stands for.
+  void SetSteps(std::optional<MesoSearchSteps> steps) { this->Steps = steps; }
+
+  /// Compute what the first frame would else wait for. Returns why that failed, or an empty text.
+  std::string Prepare();
 
   MesoShaderShape GetShape() const override;
   std::string Activate(vtkOpenGLRenderWindow* window) override;
@@ -28,8 +34,12 @@ public:
   std::size_t GetGPUBytes() const override;
 
 private:
+  bool UsesCones() const;
+
   MesoMesostructureOptions Options;
+  std::optional<MesoSearchSteps> Steps;
   MesoHeightMapTexture Heights;
+  MesoConeTexture Cones; ///< for the searches that need them
 };
 
 #endif

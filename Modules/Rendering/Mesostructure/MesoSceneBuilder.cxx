@@ -423,6 +423,14 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
         ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")
         : object.Mesh);
     object.Mapper->SetMapNumbers(heights.Numbers[0], heights.Numbers[1]);
+    if (auto* relief = vtkMesoReliefMapper::SafeDownCast(object.Mapper))
+    {
+      const std::string problem = relief->Prepare();
+      if (!problem.empty())
+      {
+        throw MesoInputError(inScene + ".mesostructure: " + problem);
+      }
+    }
     for (const MesoSceneClippingPlane& clip : scene.ClippingPlanes)
     {
       vtkNew<vtkPlane> plane;

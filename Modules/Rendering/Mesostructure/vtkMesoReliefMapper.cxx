@@ -4,6 +4,8 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkMesoReliefMapper);
 
 vtkMesoReliefMapper::vtkMesoReliefMapper()
@@ -20,6 +22,7 @@ void vtkMesoReliefMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "HeightMap: " << this->Relief->GetHeightMap() << "\n";
+  os << indent << "SearchSteps: " << this->SearchSteps[0] << " " << this->SearchSteps[1] << "\n";
 }
 
 void vtkMesoReliefMapper::SetHeightMap(vtkImageData* heights)
@@ -41,8 +44,26 @@ void vtkMesoReliefMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto* other = vtkMesoReliefMapper::SafeDownCast(mapper))
   {
     this->SetHeightMap(other->GetHeightMap());
+    this->SetSearchSteps(other->SearchSteps[0], other->SearchSteps[1]);
   }
   this->Superclass::ShallowCopy(mapper);
+}
+
+void vtkMesoReliefMapper::SetSearchSteps(int linear, int halvings)
+{
+  const int steps[] = { std::max(linear, 0), std::max(halvings, 0) };
+  if (steps[0] != this->SearchSteps[0] || steps[1] != this->SearchSteps[1])
+  {
+    std::copy(steps, steps + 2, this->SearchSteps);
+    this->Relief->SetSteps(
+      steps[0] > 0 ? std::optional<MesoSearchSteps>({ steps[0], steps[1] }) : std::nullopt);
+    this->Modified();
+  }
+}
+
+std::string vtkMesoReliefMapper::Prepare()
+{
+  return this->Relief->Prepare();
 }
 
 MesoTechniqueShader* vtkMesoReliefMapper::GetTechnique()

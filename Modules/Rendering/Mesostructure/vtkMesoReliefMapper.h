@@ -16,8 +16,10 @@
  * The mesh that is drawn is where height 1 lies. For relief that rises above a mesh (Reference of
  * the options below 1) it is that mesh moved outward, by vtkMesoMovedMesh.
  *
- * The search steps linearly and then halves (MesoStepsOfQuality): detail thinner than a step can be
- * missed.
+ * The options' Search says how rays look for the map: linear-binary steps equally and then halves
+ * (MesoStepsOfQuality), so that detail thinner than a step can be missed; certified, which the quality
+ * Certified stands for, misses nothing of this model. Cone and certified need cones of free space
+ * (vtkMesoConeMap), which are computed when the map or its Wrap has changed and kept.
  *
  * Heights: one component of float in [0,1], row 0 at t = 0, bilinear between texel centres.
  *
@@ -35,6 +37,7 @@
 #include "vtkMesoPolyDataMapper.h"
 
 #include <memory>
+#include <string> // for Prepare()
 
 class MesoReliefShader;
 class vtkImageData;
@@ -55,6 +58,17 @@ public:
   /// Draw as another mapper does; the height map is shared.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
+  ///@{
+  /// Linear steps (at least 1) and halvings (at least 0) of the search, in place of those that the
+  /// options' quality stands for, to which 0 linear steps (the default) go back.
+  void SetSearchSteps(int linear, int halvings);
+  const int* GetSearchSteps() const { return this->SearchSteps; }
+  ///@}
+
+  /// Compute now what the first frame would else wait for: the cones. Returns why that failed, or an
+  /// empty text.
+  std::string Prepare();
+
 protected:
   vtkMesoReliefMapper();
   ~vtkMesoReliefMapper() override;
@@ -68,6 +82,7 @@ private:
   void operator=(const vtkMesoReliefMapper&) = delete;
 
   std::unique_ptr<MesoReliefShader> Relief;
+  int SearchSteps[2] = { 0, 0 };
 };
 
 #endif
