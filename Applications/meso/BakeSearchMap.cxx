@@ -18,7 +18,7 @@ void BakeSearchMap::AddOptions(CLI::App& command)
 
 void BakeSearchMap::Run()
 {
-  this->Output.Check(this->Input.GetFileName());
+  this->Output.Check({ this->Input.GetFileName() });
   const vtkSmartPointer<vtkMesoHeightMapAlgorithm> filter = this->MakeFilter();
   filter->SetInputData(this->Input.Read());
   filter->SetWrap(this->Input.GetWrap());
