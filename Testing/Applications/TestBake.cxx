@@ -1,9 +1,15 @@
 // `meso bake`: what each kind writes, and what is refused.
 
+#include "MesoBakedFile.h"
 #include "MesoExr.h"
 #include "MesoImageFile.h"
 #include "RunMeso.h"
 #include "TemporaryFolder.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -104,6 +110,37 @@ TEST(MesoBake, NormalTurnsItsGreen)
   EXPECT_LT(green("up", "clamp"), 0.49f);
   EXPECT_FLOAT_EQ(green("down", "clamp"), 1.f - green("up", "clamp"));
   EXPECT_FLOAT_EQ(green("up", "repeat"), 0.5f); // up and down again
+}
+
+TEST(MesoBake, ConesAndMaximaAreKeptInBakedFiles)
+{
+  const BakeFolder folder;
+  ASSERT_EQ(folder.Bake("cone", "ramp.cone.vti", { "--wrap", "clamp" }).ExitCode, 0);
+  const MesoBaked cones = MesoReadBaked(folder.PathOf("ramp.cone.vti"), "cone");
+  EXPECT_EQ(std::get<std::string>(cones.Parameters.at("wrap")), "clamp");
+  vtkPointData* arrays = cones.Table->GetPointData();
+  vtkDataArray* apex = arrays->GetArray("ConeApex");
+  vtkDataArray* steepness = arrays->GetScalars("ConeSteepness");
+  ASSERT_TRUE(apex && steepness);
+  // From the left end rightwards: the patch ahead is 6/7 deep, and the right end, 7 texels away, is the
+  // texel that a cone from there must be steepest for. A quarter more is allowed.
+  EXPECT_EQ(apex->GetComponent(0, 0), std::floor(255. * 6. / 7.));
+  const double least = std::floor(255. * 6. / 7.) / 255. / 7.;
+  EXPECT_GE(steepness->GetComponent(0, 0), std::floor(255. * std::sqrt(2. * least)));
+  EXPECT_LE(steepness->GetComponent(0, 0), std::ceil(255. * std::sqrt(2.5 * least)));
+  // From the right end leftwards all is lower.
+  EXPECT_EQ(apex->GetComponent(7, 1), 0.);
+  EXPECT_EQ(steepness->GetComponent(7, 1), 0.);
+
+  ASSERT_EQ(folder.Bake("maxmip", "ramp.maxmip.vti").ExitCode, 0);
+  const MesoBaked maxima = MesoReadBaked(folder.PathOf("ramp.maxmip.vti"), "maxmip");
+  EXPECT_EQ(std::get<std::string>(maxima.Parameters.at("wrap")), "repeat");
+  EXPECT_NEAR(
+    maxima.Table->GetPointData()->GetScalars("Maximum")->GetComponent(0, 0), 1. / 7., 1e-4);
+  vtkDataArray* top = maxima.Table->GetFieldData()->GetArray("Maximum3");
+  ASSERT_TRUE(top);
+  ASSERT_EQ(top->GetNumberOfTuples(), 1);
+  EXPECT_EQ(top->GetComponent(0, 0), 1.);
 }
 
 TEST(MesoBake, StatsSayWhatItTook)

@@ -199,7 +199,7 @@ TEST(MesoBench, SearchesAreRowsOfTheirOwn)
   const auto errorOf = [&](std::size_t row)
   { return results["rows"][row]["errors"]["solver"]["texcoord_p99"].get<double>(); };
   EXPECT_EQ(errorOf(2), errorOf(4)) << "certified draws one picture in every quality";
-  EXPECT_LT(errorOf(2), errorOf(1));
+  EXPECT_LE(errorOf(2), errorOf(1));
   EXPECT_LT(errorOf(2), 0.01);
   EXPECT_NE(scene.Bytes("out/report.html").find("relief draft cone"), std::string::npos);
 

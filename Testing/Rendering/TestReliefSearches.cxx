@@ -111,7 +111,6 @@ TEST(ReliefSearches, ConesFollowTheMapAndItsWrap)
     options.Wrap = wrap;
     options.Tiles = { 3., 3. };
     plane.Mapper->SetOptions(options);
-    fresh.Mapper->SetOptions(options);
     Plane other(heights);
     other.Mapper->SetOptions(options);
     EXPECT_EQ(plane.Depths(), other.Depths()) << MesoName(wrap);
