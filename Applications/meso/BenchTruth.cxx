@@ -32,6 +32,17 @@ void SetTechnique(std::vector<MesoSceneNode>& nodes, MesoTechnique technique,
   }
 }
 
+/// Whether every node with a map has a model that can be solved.
+bool HaveModels(const std::vector<MesoSceneNode>& nodes)
+{
+  return std::all_of(nodes.begin(), nodes.end(),
+    [](const MesoSceneNode& node)
+    {
+      return (!node.Map || MesoTechniqueModel::HasModel(node.Mesostructure)) &&
+        HaveModels(node.Children);
+    });
+}
+
 void CollectMeshes(
   const std::vector<MesoSceneNode>& nodes, std::vector<const MesoSceneMesh*>& meshes)
 {
@@ -97,11 +108,12 @@ void WriteTruth(const MesoScene& scene, BenchSurface surface, const std::array<i
 std::optional<MesoAOVs> SolveModel(
   const MesoScene& scene, MesoTechnique technique, const std::array<int, 2>& size)
 {
-  if (technique == MesoTechnique::Plain || !MesoTechniqueModel::HasModel(technique))
+  const MesoScene changed = WithTechnique(scene, technique, std::nullopt);
+  if (technique == MesoTechnique::Plain || !HaveModels(changed.Nodes))
   {
     return std::nullopt;
   }
-  const MesoTechniqueModel model(WithTechnique(scene, technique, std::nullopt));
+  const MesoTechniqueModel model(changed);
   return MesoAOVsOfImage(model.Render(size[0], size[1]));
 }
 

@@ -2,24 +2,17 @@
 //   MESO_SEARCH  which: as MesoSearch counts
 //   MESO_LINEAR_STEPS, MESO_REFINING_STEPS  its steps
 
-// A path that leaves the relief where it starts can only meet it there.
-int linearSteps(HeightPath path)
-{
-  bool isPoint = path.MapSpan == vec2(0.0) && path.DepthStart == path.DepthEnd && path.Sag == 0.0;
-  return isPoint ? 1 : MESO_LINEAR_STEPS;
-}
-
 // First meeting of the path with the relief.
 HeightHit searchRelief(HeightPath path)
 {
 #if MESO_SEARCH == 3
   return searchCertified(path);
 #elif MESO_SEARCH == 2
-  return searchCone(path, linearSteps(path), MESO_REFINING_STEPS);
+  return searchCone(path, pathSteps(path, MESO_LINEAR_STEPS), MESO_REFINING_STEPS);
 #elif MESO_SEARCH == 1
-  return searchLinearSecant(path, linearSteps(path), MESO_REFINING_STEPS);
+  return searchLinearSecant(path, pathSteps(path, MESO_LINEAR_STEPS), MESO_REFINING_STEPS);
 #else
-  return searchLinearBinary(path, linearSteps(path), MESO_REFINING_STEPS);
+  return searchLinearBinary(path, pathSteps(path, MESO_LINEAR_STEPS), MESO_REFINING_STEPS);
 #endif
 }
 
@@ -56,8 +49,8 @@ float reliefOccludes(HeightPath path, out int fetches)
 #if MESO_SEARCH == 3
   return occludedCertified(path, fetches);
 #elif MESO_SEARCH == 2
-  return occludedCone(path, MESO_LINEAR_STEPS, fetches);
+  return occludedCone(path, pathSteps(path, MESO_LINEAR_STEPS), fetches);
 #else
-  return occludedLinear(path, MESO_LINEAR_STEPS, fetches);
+  return occludedLinear(path, pathSteps(path, MESO_LINEAR_STEPS), fetches);
 #endif
 }

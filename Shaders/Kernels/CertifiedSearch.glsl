@@ -5,6 +5,7 @@
 //
 // Needs HeightField.glsl
 // Needs HeightPath.glsl
+// Needs HeightHit.glsl
 // Needs HeightCone.glsl
 
 // Patches that a path may go over, one by one, before it is given up (it is said to meet the relief

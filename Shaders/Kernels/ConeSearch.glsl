@@ -4,6 +4,7 @@
 //
 // Needs HeightField.glsl
 // Needs HeightPath.glsl
+// Needs HeightHit.glsl
 // Needs HeightCone.glsl
 // Needs LinearSearch.glsl
 

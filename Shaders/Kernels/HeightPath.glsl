@@ -15,18 +15,6 @@ struct HeightPath
   float Sag;
 };
 
-struct HeightHit
-{
-  bool Hit;
-  float Part;     // of the path, at the hit
-  float RayDepth; // depth of the path at the hit
-  vec2 MapCoord;  // map coordinate at the hit, not wrapped
-  float Relief;   // depth at the hit, [0,1]
-  int Iterations; // steps of the search
-  int Fetches;    // samples of a map: a patch of four texels counts as one
-  int TexelReads; // texels behind them
-};
-
 // Numbers past this, Inf and NaN are no path.
 const float PathGreatest = 1.0e30;
 
@@ -80,35 +68,28 @@ float pathDepth(HeightPath path, float part)
   return part < 1.0 ? bent : path.DepthEnd;
 }
 
-// How far a point of the path lies above the relief, in depth; 0 or less is inside.
-float exactClearance(HeightPath path, float part)
+// Map coordinate at a part of the path.
+vec2 pathMap(HeightPath path, float part)
 {
-  return (1.0 - bilinearHeight(path.MapStart + part * path.MapSpan)) - pathDepth(path, part);
+  return path.MapStart + part * path.MapSpan;
 }
 
-// No hit, and no work done.
-HeightHit noHit()
+// How many of a search's steps the path takes: one that leaves the relief where it starts can only
+// meet it there.
+int pathSteps(HeightPath path, int steps)
 {
-  HeightHit hit;
-  hit.Hit = false;
-  hit.Part = 0.0;
-  hit.RayDepth = 0.0;
-  hit.MapCoord = vec2(0.0);
-  hit.Relief = 0.0;
-  hit.Iterations = 0;
-  hit.Fetches = 0;
-  hit.TexelReads = 0;
-  return hit;
+  bool isPoint = path.MapSpan == vec2(0.0) && path.DepthStart == path.DepthEnd && path.Sag == 0.0;
+  return isPoint ? 1 : steps;
 }
 
-// A hit at a part of the path, after the work that `search` counts.
-HeightHit hitAtPart(HeightPath path, float part, HeightHit search)
+// The path from one of its parts on, [0,1].
+HeightPath restOfPath(HeightPath path, float part)
 {
-  HeightHit hit = search;
-  hit.Hit = true;
-  hit.Part = part;
-  hit.RayDepth = pathDepth(path, part);
-  hit.MapCoord = path.MapStart + part * path.MapSpan;
-  hit.Relief = clamp(hit.RayDepth, 0.0, 1.0);
-  return hit;
+  HeightPath rest = path;
+  float left = 1.0 - part;
+  rest.MapStart = path.MapStart + part * path.MapSpan;
+  rest.MapSpan = left * path.MapSpan;
+  rest.DepthStart = pathDepth(path, part);
+  rest.Sag = path.Sag * left * left;
+  return rest;
 }

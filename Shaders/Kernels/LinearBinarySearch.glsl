@@ -3,6 +3,7 @@
 //
 // Needs HeightField.glsl
 // Needs HeightPath.glsl
+// Needs HeightHit.glsl
 // Needs LinearSearch.glsl
 
 // First meeting of the path with the relief. A start on or below the relief is the hit itself,

@@ -3,6 +3,7 @@
 //
 // Needs HeightField.glsl
 // Needs HeightPath.glsl
+// Needs HeightHit.glsl
 //
 // The march uses sampleHeight, whose weights may be coarse (8 bits on common samplers). Whatever it
 // finds is confirmed by bilinearHeight before it counts, so that no hit and no shadow hangs on the
@@ -39,7 +40,7 @@ HeightBracket bracketByEqualSteps(HeightPath near, int linearSteps, inout Height
   for (int i = 1; i <= steps; ++i)
   {
     float part = i < steps ? float(i) * stepPart : 1.0;
-    vec2 uv = near.MapStart + part * near.MapSpan;
+    vec2 uv = pathMap(near, part);
     search.Iterations = i;
     search.Fetches += 1;
     if ((1.0 - sampleHeight(uv)) - pathDepth(near, part) <= 0.0)
@@ -128,7 +129,7 @@ float occludedLinear(HeightPath path, int steps, out int fetches)
   for (int i = 0; i < steps; ++i)
   {
     float part = (float(i) + 0.5) * stepPart;
-    vec2 uv = near.MapStart + part * near.MapSpan;
+    vec2 uv = pathMap(near, part);
     fetches += 1;
     if (1.0 - sampleHeight(uv) < pathDepth(near, part))
     {

@@ -3,6 +3,7 @@
 //
 // Needs HeightField.glsl
 // Needs HeightPath.glsl
+// Needs HeightHit.glsl
 // Needs LinearSearch.glsl
 
 // As searchLinearBinary, with secants in place of halvings. An end of the bracket that stays for two

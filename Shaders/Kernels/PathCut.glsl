@@ -1,18 +1,8 @@
-// The rest of a path through a height map, for rays whose first stretch is cut away.
+// Where a path through a height map is outside of it, for rays whose first stretch is cut away.
 //
+// Needs HeightField.glsl
 // Needs HeightPath.glsl
-
-// The path from one of its parts on, [0,1].
-HeightPath restOfPath(HeightPath path, float part)
-{
-  HeightPath rest = path;
-  float left = 1.0 - part;
-  rest.MapStart = path.MapStart + part * path.MapSpan;
-  rest.MapSpan = left * path.MapSpan;
-  rest.DepthStart = pathDepth(path, part);
-  rest.Sag = path.Sag * left * left;
-  return rest;
-}
+// Needs HeightHit.glsl
 
 // The first part of a path, from one of its parts on, where it is above the relief: `from` itself, or
 // the first of equal steps after it, `steps` for a whole path. 1.0 where it stays inside to its end.

@@ -7,6 +7,7 @@
  */
 
 #include "MesoOptions.h"
+#include "vtkMesoBaseImage.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPatternSource.h"
 #include "vtkMesoQuadricFit.h"
@@ -71,6 +72,16 @@ struct MesoTestScene
     fit->SetInputData(mesh);
     fit->Update();
     return fit->GetOutput();
+  }
+
+  /// The mesh's image, for the bases that are looked up in one.
+  static vtkSmartPointer<vtkImageData> BaseImage(vtkPolyData* mesh)
+  {
+    vtkNew<vtkMesoBaseImage> image;
+    image->SetSizeFor(mesh);
+    image->SetInputData(mesh);
+    image->Update();
+    return image->GetOutput();
   }
 
   static vtkSmartPointer<vtkImageData> Pattern(const std::string& name, int width = 64,

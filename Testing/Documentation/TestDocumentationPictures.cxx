@@ -34,6 +34,12 @@ void PrintTo(const Picture& picture, std::ostream* stream)
 const Picture Pictures[] = {
   { "Demo", "demo.json", "400x300" },
   { "ColorHeight", "Documentation/ColorHeight.json", "320x240" },
+  { "CurvedBent", "Documentation/CurvedBent.json", "320x240" },
+  { "CurvedExact", "Documentation/CurvedExact.json", "320x240" },
+  { "CurvedOsculating", "Documentation/CurvedOsculating.json", "320x240" },
+  { "CurvedQuadric", "Documentation/CurvedQuadric.json", "320x240" },
+  { "CurvedSurface", "Documentation/CurvedSurface.json", "320x240" },
+  { "CurvedTruth", "Documentation/CurvedQuadric.json", "320x240", "reference" },
   { "ReferenceDemo", "demo.json", "320x240", "reference" },
   { "HeightFieldGlobe", "Documentation/HeightFieldGlobe.json", "400x300" },
   { "HeightFieldPlane", "Documentation/HeightFieldPlane.json", "400x300" },

@@ -88,7 +88,7 @@ TEST(SceneRefusals, UnknownKeys)
 TEST(SceneRefusals, KnownButNotYetServed)
 {
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
-  for (const char* key : { "volume", "tile_mesh", "baked", "curved", "rank", "segments" })
+  for (const char* key : { "volume", "tile_mesh", "baked", "rank", "segments" })
   {
     EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
       std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
@@ -105,10 +105,10 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
   EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
     "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
-    "plain, relief, relief-quadric, tessellated)");
+    "plain, relief, relief-quadric, relief-quadric-exact, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
-    "relief? choices: plain, relief, relief-quadric, tessellated)");
+    "relief? choices: plain, relief, relief-quadric, relief-quadric-exact, tessellated)");
   EXPECT_EQ(OfRelief(R"(, "quadric": "full")"),
     "s.json: nodes[0].mesostructure.quadric: technique relief has no quadric");
   EXPECT_TRUE(Mentions(
@@ -120,6 +120,11 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   EXPECT_EQ(OfRelief(R"(, "quality": "certified", "search": "cone")"),
     "s.json: nodes[0].mesostructure.search: quality certified is the search certified, not cone; "
     "name another quality, or no search");
+  EXPECT_EQ(OfNode(head + R"("technique": "relief-quadric-exact", "curved": "bent"})"),
+    "s.json: nodes[0].mesostructure.curved: technique relief-quadric-exact has no choice of curved "
+    "bases; relief-quadric has");
+  EXPECT_TRUE(Mentions(OfNode(head + R"("technique": "relief-quadric", "curved": "sphere"})"),
+    "there is no curved base \"sphere\" (choices: quadric, bent, osculating, surface)"));
   EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "best"})"), "there is no quality \"best\""));
   EXPECT_TRUE(Mentions(OfRelief(R"(, "search": "linear-binery")"), "did you mean linear-binary?"));
   EXPECT_EQ(OfNode(head + R"("search": "linear-secant"})"),

@@ -19,6 +19,7 @@ struct FloatKernels
   using Frame = MesoKernels::Float::Frame;
   using HeightField = MesoKernels::Float::HeightField;
   using Quadric = MesoKernels::Float::Quadric;
+  using QuadricExact = MesoKernels::Float::QuadricExact;
 };
 
 struct DoubleKernels
@@ -28,6 +29,7 @@ struct DoubleKernels
   using Frame = MesoKernels::Double::Frame;
   using HeightField = MesoKernels::Double::HeightField;
   using Quadric = MesoKernels::Double::Quadric;
+  using QuadricExact = MesoKernels::Double::QuadricExact;
 };
 
 struct KernelNames

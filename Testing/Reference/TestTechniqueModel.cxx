@@ -119,7 +119,17 @@ TEST(TechniqueModel, LeavesOutEffectsThatAreOff)
 
 TEST(TechniqueModel, RefusesWhatHasNoModel)
 {
-  EXPECT_FALSE(MesoTechniqueModel::HasModel(MesoTechnique::Tessellated));
+  MesoMesostructureOptions options;
+  for (const MesoTechnique technique :
+    { MesoTechnique::Tessellated, MesoTechnique::ReliefQuadricExact })
+  {
+    options.Technique = technique;
+    EXPECT_FALSE(MesoTechniqueModel::HasModel(options)) << MesoName(technique);
+  }
+  options.Technique = MesoTechnique::ReliefQuadric;
+  EXPECT_TRUE(MesoTechniqueModel::HasModel(options));
+  options.Curved = MesoCurvedKind::Osculating;
+  EXPECT_FALSE(MesoTechniqueModel::HasModel(options));
   const MesoScene scene = MesoParseScene(Torus("tessellated", "smooth"), "torus.json");
   try
   {

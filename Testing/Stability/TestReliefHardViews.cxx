@@ -17,7 +17,7 @@ protected:
 
   void UseShape(const std::string& shape)
   {
-    this->Bends = shape != "plane" && this->GetParam() == MesoTechnique::ReliefQuadric;
+    this->Bends = shape != "plane" && MesoBendsRelief(this->GetParam());
     this->Use(MesoTestScene::Shape(shape));
   }
 

@@ -18,6 +18,11 @@
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross
+ *   MesoKernels::Float::AcrossField, CircleField, CubicField and those of Double
+ *     a height map with paths of other kinds: depths across the view ray (acrossPath), below a
+ *     circle (circlePath), cubics (cubicPath); with the functions of their bases
+ *   MesoKernels::Float::QuadricExact, MesoKernels::Double::QuadricExact
+ *     the same and acrossView, distanceAcross, leaveAcross
  *
  *   MesoKernels::Double::HeightField field(2, 1, MesoWrap::Repeat, { 0.f, 1.f });
  *   double height = field.bilinearHeight({ 0.5, 0.5 });
@@ -135,6 +140,12 @@ public:
 #include "MesoQuadricFloat.h"
 };
 
+class QuadricExact : public Quadric
+{
+public:
+#include "MesoQuadricExactFloat.h"
+};
+
 class HeightField : public MesoHeightTexture<float>
 {
 public:
@@ -142,6 +153,9 @@ public:
 #include "MesoHeightFieldFloat.h"
 //
 #include "MesoHeightPathFloat.h"
+//
+#include "MesoHeightHitFloat.h"
+//
 #include "MesoPathCutFloat.h"
 //
 #include "MesoLinearSearchFloat.h"
@@ -153,6 +167,61 @@ public:
 //
 #include "MesoCertifiedSearchFloat.h"
 #include "MesoConeSearchFloat.h"
+};
+
+class AcrossField
+  : public MesoHeightTexture<float>
+  , public QuadricExact
+{
+public:
+  using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightFieldFloat.h"
+//
+#include "MesoAcrossPathFloat.h"
+//
+#include "MesoHeightHitFloat.h"
+//
+#include "MesoPathCutFloat.h"
+//
+#include "MesoLinearSearchFloat.h"
+//
+#include "MesoLinearBinarySearchFloat.h"
+};
+
+class CircleField
+  : public MesoHeightTexture<float>
+  , public Quadric
+{
+public:
+  using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightFieldFloat.h"
+//
+#include "MesoCirclePathFloat.h"
+//
+#include "MesoHeightHitFloat.h"
+//
+#include "MesoPathCutFloat.h"
+//
+#include "MesoLinearSearchFloat.h"
+//
+#include "MesoLinearBinarySearchFloat.h"
+};
+
+class CubicField : public MesoHeightTexture<float>
+{
+public:
+  using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightFieldFloat.h"
+//
+#include "MesoCubicPathFloat.h"
+//
+#include "MesoHeightHitFloat.h"
+//
+#include "MesoPathCutFloat.h"
+//
+#include "MesoLinearSearchFloat.h"
+//
+#include "MesoLinearBinarySearchFloat.h"
 };
 }
 #if defined(__GNUC__)
@@ -179,6 +248,12 @@ public:
 #include "MesoQuadricDouble.h"
 };
 
+class QuadricExact : public Quadric
+{
+public:
+#include "MesoQuadricExactDouble.h"
+};
+
 class HeightField : public MesoHeightTexture<double>
 {
 public:
@@ -186,6 +261,9 @@ public:
 #include "MesoHeightFieldDouble.h"
 //
 #include "MesoHeightPathDouble.h"
+//
+#include "MesoHeightHitDouble.h"
+//
 #include "MesoPathCutDouble.h"
 //
 #include "MesoLinearSearchDouble.h"
@@ -197,6 +275,61 @@ public:
 //
 #include "MesoCertifiedSearchDouble.h"
 #include "MesoConeSearchDouble.h"
+};
+
+class AcrossField
+  : public MesoHeightTexture<double>
+  , public QuadricExact
+{
+public:
+  using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightFieldDouble.h"
+//
+#include "MesoAcrossPathDouble.h"
+//
+#include "MesoHeightHitDouble.h"
+//
+#include "MesoPathCutDouble.h"
+//
+#include "MesoLinearSearchDouble.h"
+//
+#include "MesoLinearBinarySearchDouble.h"
+};
+
+class CircleField
+  : public MesoHeightTexture<double>
+  , public Quadric
+{
+public:
+  using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightFieldDouble.h"
+//
+#include "MesoCirclePathDouble.h"
+//
+#include "MesoHeightHitDouble.h"
+//
+#include "MesoPathCutDouble.h"
+//
+#include "MesoLinearSearchDouble.h"
+//
+#include "MesoLinearBinarySearchDouble.h"
+};
+
+class CubicField : public MesoHeightTexture<double>
+{
+public:
+  using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightFieldDouble.h"
+//
+#include "MesoCubicPathDouble.h"
+//
+#include "MesoHeightHitDouble.h"
+//
+#include "MesoPathCutDouble.h"
+//
+#include "MesoLinearSearchDouble.h"
+//
+#include "MesoLinearBinarySearchDouble.h"
 };
 }
 

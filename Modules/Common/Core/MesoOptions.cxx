@@ -11,6 +11,7 @@ struct Entry
 
 constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" },
   { MesoTechnique::Relief, "relief" }, { MesoTechnique::ReliefQuadric, "relief-quadric" },
+  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" },
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
@@ -26,6 +27,9 @@ constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" }
   { MesoEffect::Curvature, "curvature" } };
 constexpr Entry<MesoQuadricKind> QuadricKinds[] = { { MesoQuadricKind::Full, "full" },
   { MesoQuadricKind::Diagonal, "diagonal" } };
+constexpr Entry<MesoCurvedKind> CurvedKinds[] = { { MesoCurvedKind::Quadric, "quadric" },
+  { MesoCurvedKind::Bent, "bent" }, { MesoCurvedKind::Osculating, "osculating" },
+  { MesoCurvedKind::Surface, "surface" } };
 
 template <typename T, std::size_t N>
 const char* NameOf(const Entry<T> (&table)[N], T value)
@@ -95,6 +99,11 @@ const char* MesoName(MesoQuadricKind value)
   return NameOf(QuadricKinds, value);
 }
 
+const char* MesoName(MesoCurvedKind value)
+{
+  return NameOf(CurvedKinds, value);
+}
+
 std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name)
 {
   return FromName(Techniques, name);
@@ -125,6 +134,11 @@ std::optional<MesoQuadricKind> MesoQuadricKindFromName(const std::string& name)
   return FromName(QuadricKinds, name);
 }
 
+std::optional<MesoCurvedKind> MesoCurvedKindFromName(const std::string& name)
+{
+  return FromName(CurvedKinds, name);
+}
+
 std::vector<std::string> MesoTechniqueNames()
 {
   return AllNames(Techniques);
@@ -153,6 +167,11 @@ std::vector<std::string> MesoEffectNames()
 std::vector<std::string> MesoQuadricKindNames()
 {
   return AllNames(QuadricKinds);
+}
+
+std::vector<std::string> MesoCurvedKindNames()
+{
+  return AllNames(CurvedKinds);
 }
 
 MesoEffects::MesoEffects(std::initializer_list<MesoEffect> effects)
@@ -213,7 +232,13 @@ bool MesoUsesHeightMap(MesoTechnique technique)
 
 bool MesoHasSearches(MesoTechnique technique)
 {
-  return technique == MesoTechnique::Relief || technique == MesoTechnique::ReliefQuadric;
+  return technique == MesoTechnique::Relief || MesoBendsRelief(technique);
+}
+
+bool MesoBendsRelief(MesoTechnique technique)
+{
+  return technique == MesoTechnique::ReliefQuadric ||
+    technique == MesoTechnique::ReliefQuadricExact;
 }
 
 double MesoFacetsPerTexel(MesoQuality quality)
@@ -243,6 +268,7 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth };
     case MesoTechnique::ReliefQuadric:
+    case MesoTechnique::ReliefQuadricExact:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature };
     case MesoTechnique::Tessellated:
@@ -251,6 +277,13 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     default:
       return {};
   }
+}
+
+bool MesoNeedsBaseImage(const MesoMesostructureOptions& options)
+{
+  return options.Technique == MesoTechnique::ReliefQuadric &&
+    MesoEffectsOn(options).Has(MesoEffect::Curvature) &&
+    (options.Curved == MesoCurvedKind::Bent || options.Curved == MesoCurvedKind::Surface);
 }
 
 MesoEffects MesoEffectsOn(const MesoMesostructureOptions& options)
@@ -281,6 +314,21 @@ std::string MesoSearchProblem(const MesoMesostructureOptions& options)
   {
     return std::string("quality certified is the search certified, not ") +
       MesoName(*options.Search) + "; name another quality, or no search";
+  }
+  // These bound the relief along a way whose depth is a parabola.
+  const bool bounds =
+    MesoSearchOf(options) == MesoSearch::Certified || MesoSearchOf(options) == MesoSearch::Cone;
+  if (bounds && options.Technique == MesoTechnique::ReliefQuadricExact)
+  {
+    return "technique relief-quadric-exact has no bounds for the searches cone and certified: its "
+           "ray's depth is no parabola; linear-binary and linear-secant find their way";
+  }
+  if (bounds && options.Technique == MesoTechnique::ReliefQuadric &&
+    options.Curved != MesoCurvedKind::Quadric)
+  {
+    return std::string("the curved base ") + MesoName(options.Curved) +
+      " has no bounds for the searches cone and certified: its ray's depth is no parabola; "
+      "linear-binary and linear-secant find their way";
   }
   return "";
 }

@@ -55,9 +55,10 @@ enum class MesoSearch
 /// What a curved relief's base is taken for around a fragment.
 enum class MesoCurvedKind
 {
-  Quadric,   ///< the vertices' quadric
-  Bent,      ///< the surface's own frame, looked up again at each step (Chen2008)
-  Osculating ///< the circle of the ray's normal curvature
+  Quadric,    ///< the vertices' quadric
+  Bent,       ///< the surface's own frame, looked up again at each step (Chen2008)
+  Osculating, ///< the circle of the ray's normal curvature
+  Surface     ///< the mesh itself, looked up in an image of it over its texture coordinates
 };
 
 /// What lies outside the map's [0,1] x [0,1].
@@ -123,6 +124,7 @@ MESOCOMMONCORE_EXPORT const char* MesoName(MesoSearch value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoWrap value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoEffect value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoQuadricKind value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoCurvedKind value);
 MESOCOMMONCORE_EXPORT std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoQuality> MesoQualityFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoSearch> MesoSearchFromName(const std::string& name);
@@ -130,6 +132,7 @@ MESOCOMMONCORE_EXPORT std::optional<MesoWrap> MesoWrapFromName(const std::string
 MESOCOMMONCORE_EXPORT std::optional<MesoEffect> MesoEffectFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoQuadricKind> MesoQuadricKindFromName(
   const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoCurvedKind> MesoCurvedKindFromName(const std::string& name);
 ///@}
 
 ///@{
@@ -140,6 +143,7 @@ MESOCOMMONCORE_EXPORT std::vector<std::string> MesoSearchNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoWrapNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoEffectNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoQuadricKindNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoCurvedKindNames();
 ///@}
 
 /// Steps of linear and binary search of a quality.
@@ -151,6 +155,9 @@ MESOCOMMONCORE_EXPORT bool MesoUsesHeightMap(MesoTechnique technique);
 /// Whether a technique's rays can look for the height map by each MesoSearch. The others have neither
 /// the option Search nor the quality Certified.
 MESOCOMMONCORE_EXPORT bool MesoHasSearches(MesoTechnique technique);
+
+/// Whether a technique bends its relief over a quadric: ReliefQuadric and ReliefQuadricExact.
+MESOCOMMONCORE_EXPORT bool MesoBendsRelief(MesoTechnique technique);
 
 /// Facets along a texel's side, for techniques that dice: 1/4, 1/2, 1, 2.
 MESOCOMMONCORE_EXPORT double MesoFacetsPerTexel(MesoQuality quality);
@@ -178,9 +185,12 @@ struct MesoMesostructureOptions
   std::array<double, 2> Tiles = { 1., 1. }; ///< map coordinate = texture coordinate x Tiles
   MesoWrap Wrap = MesoWrap::Repeat;
   MesoQuadricKind Quadric = MesoQuadricKind::Full; ///< for the techniques that bend their relief
-  MesoCurvedKind Curved = MesoCurvedKind::Quadric; ///< the same
+  MesoCurvedKind Curved = MesoCurvedKind::Quadric; ///< of ReliefQuadric
   std::optional<MesoSearch> Search;                ///< default: what the quality stands for
 };
+
+/// Whether the relief's base is looked up in an image of the mesh (vtkMesoBaseImage).
+MESOCOMMONCORE_EXPORT bool MesoNeedsBaseImage(const MesoMesostructureOptions& options);
 
 /// The effects that are on: what is chosen, where "auto" means what the technique provides.
 MESOCOMMONCORE_EXPORT MesoEffects MesoEffectsOn(const MesoMesostructureOptions& options);

@@ -33,8 +33,8 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "contours", { "spacing", "values", "values_of", "color", "width" }, {} },
     { "mesostructure",
       { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
-        "reference", "tiles", "wrap", "quality", "search", "quadric", "effects" },
-      { "volume", "tile_mesh", "baked", "curved", "rank", "segments" } },
+        "reference", "tiles", "wrap", "quality", "search", "quadric", "curved", "effects" },
+      { "volume", "tile_mesh", "baked", "rank", "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
   {

@@ -10,8 +10,7 @@
 namespace
 {
 const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-object", "parallax",
-  "horizon", "displacement", "geometry-image", "relief-quadric-exact", "vdm", "gdm", "slices",
-  "shell-sdf" };
+  "horizon", "displacement", "geometry-image", "vdm", "gdm", "slices", "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "full" };
 
 /// A word of a list, for ToChoice.
@@ -334,11 +333,6 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       options.Search =
         search.ToChoice<MesoSearch>("search", &MesoSearchFromName, MesoSearchNames());
     });
-  const std::string searchProblem = MesoSearchProblem(options);
-  if (!searchProblem.empty())
-  {
-    value.At(options.Search ? "search" : "quality").Fail(searchProblem);
-  }
   value.With("wrap",
     [&](const MesoSceneValue& name)
     { options.Wrap = name.ToChoice<MesoWrap>("wrap", &MesoWrapFromName, MesoWrapNames()); });
@@ -354,13 +348,28 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("quadric",
     [&](const MesoSceneValue& kind)
     {
-      if (options.Technique != MesoTechnique::ReliefQuadric)
+      if (!MesoBendsRelief(options.Technique))
       {
         kind.Fail("technique " + name + " has no quadric");
       }
       options.Quadric =
         kind.ToChoice<MesoQuadricKind>("quadric", &MesoQuadricKindFromName, MesoQuadricKindNames());
     });
+  value.With("curved",
+    [&](const MesoSceneValue& kind)
+    {
+      if (options.Technique != MesoTechnique::ReliefQuadric)
+      {
+        kind.Fail("technique " + name + " has no choice of curved bases; relief-quadric has");
+      }
+      options.Curved = kind.ToChoice<MesoCurvedKind>(
+        "curved base", &MesoCurvedKindFromName, MesoCurvedKindNames());
+    });
+  const std::string searchProblem = MesoSearchProblem(options);
+  if (!searchProblem.empty())
+  {
+    value.At(options.Search ? "search" : "quality").Fail(searchProblem);
+  }
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });

@@ -2,6 +2,42 @@
 
 #include "vtkShaderProgram.h"
 
+namespace
+{
+/// What a ray's way is made of, and the technique around it: chunks of Shaders/.
+struct Way
+{
+  std::vector<std::string> Kernels; ///< up to the struct HeightPath
+  std::vector<std::string> Technique;
+};
+
+Way WayOf(const MesoMesostructureOptions& options)
+{
+  if (!MesoBendsRelief(options.Technique))
+  {
+    return { { "Kernels/HeightPath.glsl" }, { "Techniques/Relief.glsl" } };
+  }
+  if (MesoNeedsBaseImage(options))
+  {
+    return { { "Kernels/Quadric.glsl", "Common/BaseAccess.glsl", "Kernels/BaseSurface.glsl",
+               "Kernels/CubicPath.glsl" },
+      { "Techniques/ReliefOnBase.glsl" } };
+  }
+  if (options.Technique == MesoTechnique::ReliefQuadricExact)
+  {
+    return { { "Kernels/Quadric.glsl", "Kernels/QuadricExact.glsl", "Kernels/AcrossPath.glsl" },
+      { "Common/ReliefShell.glsl", "Techniques/ReliefQuadricExact.glsl" } };
+  }
+  if (options.Curved == MesoCurvedKind::Osculating)
+  {
+    return { { "Kernels/Quadric.glsl", "Kernels/CirclePath.glsl" },
+      { "Common/ReliefShell.glsl", "Techniques/ReliefOsculating.glsl" } };
+  }
+  return { { "Kernels/Quadric.glsl", "Kernels/HeightPath.glsl" },
+    { "Common/ReliefShell.glsl", "Techniques/ReliefQuadric.glsl" } };
+}
+}
+
 void MesoReliefShader::SetHeightMap(vtkImageData* heights)
 {
   this->Heights.SetHeightMap(heights);
@@ -10,6 +46,16 @@ void MesoReliefShader::SetHeightMap(vtkImageData* heights)
 vtkImageData* MesoReliefShader::GetHeightMap() const
 {
   return this->Heights.GetHeightMap();
+}
+
+void MesoReliefShader::SetBaseImage(vtkImageData* image)
+{
+  this->Base.SetImage(image);
+}
+
+vtkImageData* MesoReliefShader::GetBaseImage() const
+{
+  return this->Base.GetImage();
 }
 
 bool MesoReliefShader::UsesCones() const
@@ -39,8 +85,11 @@ MesoShaderShape MesoReliefShader::GetShape() const
   shape.WritesDepth = effects.Has(MesoEffect::Depth);
   shape.Attributes = { { "mesoTangent", "MesoTangent" }, { "mesoBitangent", "MesoBitangent" },
     { "mesoTileScale", "MesoTileScale" } };
-  shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-    "Kernels/HeightPath.glsl", "Kernels/PathCut.glsl" };
+  const Way way = WayOf(this->Options);
+  shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl" };
+  shape.Chunks.insert(shape.Chunks.end(), way.Kernels.begin(), way.Kernels.end());
+  shape.Chunks.insert(
+    shape.Chunks.end(), { "Kernels/HeightHit.glsl", "Kernels/PathCut.glsl" });
   const MesoSearch search = MesoSearchOf(this->Options);
   const MesoSearchSteps steps = this->Steps.value_or(MesoStepsOfQuality(this->Options.Quality));
   const int refining = search == MesoSearch::LinearSecant ? (steps.Binary + 1) / 2 : steps.Binary;
@@ -58,10 +107,9 @@ MesoShaderShape MesoReliefShader::GetShape() const
     { "MESO_LINEAR_STEPS", std::to_string(steps.Linear) },
     { "MESO_REFINING_STEPS", std::to_string(refining) },
     { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) } };
-  if (this->Options.Technique == MesoTechnique::ReliefQuadric)
+  shape.Chunks.insert(shape.Chunks.end(), way.Technique.begin(), way.Technique.end());
+  if (MesoBendsRelief(this->Options.Technique))
   {
-    shape.Chunks.insert(
-      shape.Chunks.end(), { "Kernels/Quadric.glsl", "Techniques/ReliefQuadric.glsl" });
     shape.Defines.emplace_back("MESO_QUADRIC", "");
     if (effects.Has(MesoEffect::Curvature))
     {
@@ -69,9 +117,13 @@ MesoShaderShape MesoReliefShader::GetShape() const
       shape.Attributes.emplace_back("mesoQuadric", "MesoQuadric");
     }
   }
-  else
+  if (MesoNeedsBaseImage(this->Options))
   {
-    shape.Chunks.emplace_back("Techniques/Relief.glsl");
+    shape.Defines.emplace_back("MESO_BASE_TURN", "0.5");
+    if (this->Options.Curved == MesoCurvedKind::Bent)
+    {
+      shape.Defines.emplace_back("MESO_BASE_BENT", "");
+    }
   }
   const std::pair<MesoEffect, const char*> names[] = { { MesoEffect::Shading, "MESO_SHADING" },
     { MesoEffect::Occlusion, "MESO_OCCLUSION" }, { MesoEffect::SelfShadow, "MESO_SELF_SHADOW" },
@@ -90,36 +142,50 @@ MesoShaderShape MesoReliefShader::GetShape() const
 std::string MesoReliefShader::Activate(vtkOpenGLRenderWindow* window)
 {
   const std::string failure = this->Heights.Activate(window, this->Options.Wrap);
-  if (!failure.empty() || !this->UsesCones())
+  if (!failure.empty() || !this->GetHeightMap())
   {
     return failure;
   }
-  return this->Cones.Activate(window, this->GetHeightMap(), this->Options.Wrap);
+  if (MesoNeedsBaseImage(this->Options))
+  {
+    return this->Base.Activate(window);
+  }
+  return this->UsesCones()
+    ? this->Cones.Activate(window, this->GetHeightMap(), this->Options.Wrap)
+    : std::string();
 }
 
 void MesoReliefShader::SetUniforms(vtkShaderProgram* program)
 {
   this->Heights.SetUniforms(program);
   this->Cones.SetUniforms(program);
+  this->Base.SetUniforms(program);
   if (program->IsUniformUsed("mesoScale"))
   {
     program->SetUniformf("mesoScale", static_cast<float>(this->Options.Scale));
   }
 }
 
+const double* MesoReliefShader::GetCentre() const
+{
+  return this->Base.GetCentre().data();
+}
+
 void MesoReliefShader::Deactivate()
 {
   this->Heights.Deactivate();
   this->Cones.Deactivate();
+  this->Base.Deactivate();
 }
 
 void MesoReliefShader::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Heights.ReleaseGraphicsResources(window);
   this->Cones.ReleaseGraphicsResources(window);
+  this->Base.ReleaseGraphicsResources(window);
 }
 
 std::size_t MesoReliefShader::GetGPUBytes() const
 {
-  return this->Heights.GetGPUBytes() + this->Cones.GetGPUBytes();
+  return this->Heights.GetGPUBytes() + this->Cones.GetGPUBytes() + this->Base.GetGPUBytes();
 }

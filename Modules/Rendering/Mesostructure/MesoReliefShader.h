@@ -1,6 +1,7 @@
 #ifndef MesoReliefShader_h
 #define MesoReliefShader_h
 
+#include "MesoBaseTexture.h"
 #include "MesoConeTexture.h"
 #include "MesoHeightMapTexture.h"
 #include "MesoOptions.h" // for MesoMesostructureOptions
@@ -8,10 +9,10 @@
 
 /**
  * @class MesoReliefShader
- * @brief The techniques `relief` and `relief-quadric`: a height field searched along the ray, in the
- * tangent plane or over the quadric.
+ * @brief The techniques `relief`, `relief-quadric` and `relief-quadric-exact`: a height field searched
+ * along the ray, in the tangent plane or over a curved base.
  *
- * The options say which of the two it is. See Shaders/Techniques/Relief.glsl and ReliefQuadric.glsl.
+ * The options say which technique and which base it is. See Shaders/Techniques/Relief*.glsl.
  */
 class MESORENDERINGMESOSTRUCTURE_EXPORT MesoReliefShader : public MesoTechniqueShader
 {
@@ -19,6 +20,9 @@ public:
   /// One component of float heights in [0,1]; row 0 at t = 0.
   void SetHeightMap(vtkImageData* heights);
   vtkImageData* GetHeightMap() const;
+  /// The mesh's image (vtkMesoBaseImage), for the bases that need one (MesoNeedsBaseImage).
+  void SetBaseImage(vtkImageData* image);
+  vtkImageData* GetBaseImage() const;
   void SetOptions(const MesoMesostructureOptions& options) { this->Options = options; }
   /// Steps in place of those that the quality stands for.
   void SetSteps(std::optional<MesoSearchSteps> steps) { this->Steps = steps; }
@@ -29,6 +33,7 @@ public:
   MesoShaderShape GetShape() const override;
   std::string Activate(vtkOpenGLRenderWindow* window) override;
   void SetUniforms(vtkShaderProgram* program) override;
+  const double* GetCentre() const override;
   void Deactivate() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   std::size_t GetGPUBytes() const override;
@@ -40,6 +45,7 @@ private:
   std::optional<MesoSearchSteps> Steps;
   MesoHeightMapTexture Heights;
   MesoConeTexture Cones; ///< for the searches that need them
+  MesoBaseTexture Base;  ///< for the bases that need it
 };
 
 #endif

@@ -11,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMesoBaseImage.h"
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoImageReader.h"
 #include "vtkMesoMeshReader.h"
@@ -289,6 +290,25 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
   return fit->GetOutput();
 }
 
+vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeBaseImage(
+  vtkPolyData* mesh, const std::string& place)
+{
+  vtkNew<vtkMesoBaseImage> image;
+  image->SetInputData(mesh);
+  image->SetSizeFor(mesh);
+  MesoRunAlgorithm(image, place, this->Warnings);
+  const vtkIdType ambiguous = image->GetNumberOfAmbiguousTexels();
+  const vtkIdType covered = ambiguous + image->GetNumberOfInsideTexels();
+  if (100 * ambiguous > covered)
+  {
+    std::ostringstream warning;
+    warning << place << ": several parts of the mesh share " << 100 * ambiguous / covered
+            << " % of its texture; there the curved base is the quadric";
+    this->Warnings.push_back(warning.str());
+  }
+  return image->GetOutput();
+}
+
 vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
   const Object& object, const std::optional<MesoSceneColorBy>& colorBy, const std::string& place)
 {
@@ -395,7 +415,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
-    if (technique == MesoTechnique::Relief || technique == MesoTechnique::ReliefQuadric)
+    if (technique == MesoTechnique::Relief || MesoBendsRelief(technique))
     {
       if (node.Mesostructure.Reference != 1. && !MesoEffectsOn(node.Mesostructure).Empty())
       {
@@ -408,6 +428,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       }
       vtkNew<vtkMesoReliefMapper> relief;
       relief->SetHeightMap(object.HeightMap);
+      if (MesoNeedsBaseImage(node.Mesostructure))
+      {
+        relief->SetBaseImage(this->MakeBaseImage(object.Mesh, inScene + ".mesh"));
+      }
       object.Mapper = relief;
     }
     else if (technique == MesoTechnique::Tessellated)

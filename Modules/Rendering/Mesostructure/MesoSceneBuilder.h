@@ -62,6 +62,7 @@ private:
   vtkSmartPointer<vtkPolyData> Moved(const Object& object, const std::string& place);
   vtkSmartPointer<vtkPolyData> WithQuadrics(
     vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
+  vtkSmartPointer<vtkImageData> MakeBaseImage(vtkPolyData* mesh, const std::string& place);
 
   /// The object's mesh as the technique tessellated draws it.
   vtkSmartPointer<vtkPolyData> Dice(

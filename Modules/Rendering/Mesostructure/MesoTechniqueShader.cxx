@@ -14,6 +14,11 @@ std::string MesoTechniqueShader::Activate(vtkOpenGLRenderWindow*)
 
 void MesoTechniqueShader::SetUniforms(vtkShaderProgram*) {}
 
+const double* MesoTechniqueShader::GetCentre() const
+{
+  return nullptr;
+}
+
 void MesoTechniqueShader::Deactivate() {}
 
 void MesoTechniqueShader::ReleaseGraphicsResources(vtkWindow*) {}

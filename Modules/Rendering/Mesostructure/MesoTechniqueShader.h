@@ -53,6 +53,8 @@ public:
   /// Make the textures ready and bind them. Returns why that failed, or an empty text.
   virtual std::string Activate(vtkOpenGLRenderWindow* window);
   virtual void SetUniforms(vtkShaderProgram* program);
+  /// The point of the model that the uniform mesoBaseCentreVC stands for, or null.
+  virtual const double* GetCentre() const;
   virtual void Deactivate();
   virtual void ReleaseGraphicsResources(vtkWindow* window);
   /// Bytes of textures held on the GPU.

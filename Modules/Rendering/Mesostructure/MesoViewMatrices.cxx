@@ -8,8 +8,8 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
-void MesoSetViewMatrices(
-  vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor, vtkMatrix4x4* bufferToModel)
+void MesoSetViewMatrices(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor,
+  vtkMatrix4x4* bufferToModel, const double* centre)
 {
   // A shader that needs no position (directional lights, neither occlusion nor depth) still needs
   // the normal.
@@ -45,6 +45,21 @@ void MesoSetViewMatrices(
     {
       linear->SetElement(i, j, mcvc->GetElement(i, j));
     }
+  }
+  if (centre && program->IsUniformUsed("mesoBaseCentreVC"))
+  {
+    // Transposed: a point times the matrix. In double, so that a model far from its origin is right.
+    float centreVC[3];
+    for (int j = 0; j < 3; ++j)
+    {
+      double sum = mcvc->GetElement(3, j);
+      for (int i = 0; i < 3; ++i)
+      {
+        sum += centre[i] * mcvc->GetElement(i, j);
+      }
+      centreVC[j] = static_cast<float>(sum);
+    }
+    program->SetUniform3f("mesoBaseCentreVC", centreVC);
   }
   if (bufferToModel)
   {

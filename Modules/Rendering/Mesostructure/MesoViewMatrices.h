@@ -13,8 +13,9 @@ class vtkShaderProgram;
  *
  * @param bufferToModel what the vertex buffer's own shift and scale are undone by, or null. Points in
  *   the buffer are moved by it; directions and lengths are not.
+ * @param centre a point of the model that is set as mesoBaseCentreVC, or null
  */
-void MesoSetViewMatrices(
-  vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor, vtkMatrix4x4* bufferToModel);
+void MesoSetViewMatrices(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor,
+  vtkMatrix4x4* bufferToModel, const double* centre = nullptr);
 
 #endif

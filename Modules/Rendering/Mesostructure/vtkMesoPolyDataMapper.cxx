@@ -459,7 +459,8 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
   {
     MesoSetClipUniforms(cellBO.Program, this->ClippingPlanes, renderer);
   }
-  MesoSetViewMatrices(cellBO.Program, renderer, actor, moved ? this->VBOShiftScale.Get() : nullptr);
+  MesoSetViewMatrices(cellBO.Program, renderer, actor, moved ? this->VBOShiftScale.Get() : nullptr,
+    this->GetTechnique()->GetCentre());
 }
 
 std::size_t vtkMesoPolyDataMapper::GetGPUBytes()

@@ -23,6 +23,7 @@ void vtkMesoReliefMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "HeightMap: " << this->Relief->GetHeightMap() << "\n";
   os << indent << "SearchSteps: " << this->SearchSteps[0] << " " << this->SearchSteps[1] << "\n";
+  os << indent << "BaseImage: " << this->Relief->GetBaseImage() << "\n";
 }
 
 void vtkMesoReliefMapper::SetHeightMap(vtkImageData* heights)
@@ -45,6 +46,7 @@ void vtkMesoReliefMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetHeightMap(other->GetHeightMap());
     this->SetSearchSteps(other->SearchSteps[0], other->SearchSteps[1]);
+    this->SetBaseImage(other->GetBaseImage());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -61,6 +63,20 @@ void vtkMesoReliefMapper::SetSearchSteps(int linear, int halvings)
   }
 }
 
+void vtkMesoReliefMapper::SetBaseImage(vtkImageData* image)
+{
+  if (image != this->Relief->GetBaseImage())
+  {
+    this->Relief->SetBaseImage(image);
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkMesoReliefMapper::GetBaseImage()
+{
+  return this->Relief->GetBaseImage();
+}
+
 std::string vtkMesoReliefMapper::Prepare()
 {
   return this->Relief->Prepare();
@@ -73,8 +89,7 @@ MesoTechniqueShader* vtkMesoReliefMapper::GetTechnique()
 
 MesoTechnique vtkMesoReliefMapper::TechniqueOf(const MesoMesostructureOptions& options) const
 {
-  return options.Technique == MesoTechnique::ReliefQuadric ? MesoTechnique::ReliefQuadric
-                                                           : MesoTechnique::Relief;
+  return MesoBendsRelief(options.Technique) ? options.Technique : MesoTechnique::Relief;
 }
 
 void vtkMesoReliefMapper::OptionsChanged()

@@ -11,7 +11,10 @@
  *   error grows with curvature times D and with grazing views. The outline stays that of the mesh.
  * - ReliefQuadric: the base is the quadric of the point array MesoQuadric (3, vtkMesoQuadricFit)
  *   around each fragment. Rays that come back to the surface are not drawn, so that the outline is
- *   that of the detail.
+ *   that of the detail. The options' Curved chooses another base in place of the quadric: the circle
+ *   of the ray's normal curvature (Osculating), or the mesh itself, looked up in its BaseImage (Bent,
+ *   Surface); where the image does not know the mesh, the quadric stands in.
+ * - ReliefQuadricExact: the same, with depths measured across the view ray.
  *
  * The mesh that is drawn is where height 1 lies. For relief that rises above a mesh (Reference of
  * the options below 1) it is that mesh moved outward, by vtkMesoMovedMesh.
@@ -25,7 +28,7 @@
  *
  * Sources: Policarpo, Oliveira, Comba, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces",
  * I3D 2005; Oliveira, Policarpo, "An Efficient Representation for Surface Details", 2005, section
- * 2.1 and, for ReliefQuadric, sections 3.2 to 3.5.
+ * 2.1 and, for ReliefQuadric, sections 3.2 to 3.5, for ReliefQuadricExact, section 3.1.
  *
  * @sa vtkMesoPolyDataMapper, vtkMesoSurfaceFrames, vtkMesoMovedMesh, vtkMesoQuadricFit
  */
@@ -55,7 +58,7 @@ public:
   vtkImageData* GetHeightMap();
   ///@}
 
-  /// Draw as another mapper does; the height map is shared.
+  /// Draw as another mapper does; the height map and the image of the base are shared.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   ///@{
@@ -63,6 +66,13 @@ public:
   /// options' quality stands for, to which 0 linear steps (the default) go back.
   void SetSearchSteps(int linear, int halvings);
   const int* GetSearchSteps() const { return this->SearchSteps; }
+  ///@}
+
+  ///@{
+  /// The mesh as an image over its texture coordinates (vtkMesoBaseImage), for the bases
+  /// MesoCurvedKind::Bent and Surface of the options' Curved.
+  void SetBaseImage(vtkImageData* image);
+  vtkImageData* GetBaseImage();
   ///@}
 
   /// Compute now what the first frame would else wait for: the cones. Returns why that failed, or an

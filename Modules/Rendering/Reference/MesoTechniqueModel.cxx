@@ -57,10 +57,11 @@ struct MesoTechniqueModel::Implementation
   void Look(double x, double y, double aspect, float* values) const;
 };
 
-bool MesoTechniqueModel::HasModel(MesoTechnique technique)
+bool MesoTechniqueModel::HasModel(const MesoMesostructureOptions& options)
 {
-  return technique == MesoTechnique::Plain || technique == MesoTechnique::Relief ||
-    technique == MesoTechnique::ReliefQuadric;
+  return options.Technique == MesoTechnique::Plain || options.Technique == MesoTechnique::Relief ||
+    (options.Technique == MesoTechnique::ReliefQuadric &&
+      options.Curved == MesoCurvedKind::Quadric);
 }
 
 MesoTechniqueModel::MesoTechniqueModel(const MesoScene& scene)
@@ -80,10 +81,13 @@ MesoTechniqueModel::MesoTechniqueModel(const MesoScene& scene)
   }
   for (const MesoSceneBuilder::Object& object : inside.Builder.GetObjects())
   {
-    if (!HasModel(object.Options.Technique))
+    if (!HasModel(object.Options))
     {
       throw MesoInputError("node " + std::to_string(object.Number) + " '" + object.Name +
         "': the technique " + MesoName(object.Options.Technique) +
+        (object.Options.Technique == MesoTechnique::ReliefQuadric
+            ? std::string(" over the curved base ") + MesoName(object.Options.Curved)
+            : std::string()) +
         " has no model that could be solved apart from it");
     }
     inside.Surfaces.emplace_back(object);

@@ -1,0 +1,370 @@
+// The curved bases of relief mapping: what their outlines, texture coordinates and depths are worth
+// against the displaced mesh itself, and what a frame costs beside VTK's own mapper on a displaced mesh
+// of 100000 triangles, interleaved in one process.
+//
+//   BenchCurved distances the report's Figure 10, as CSV: equation 6, equation 7 and the distance to the
+//                         quadric along its own normals, over the true depth below a cylinder
+//   BenchCurved shapes    every base on round, hollow and saddle-shaped bases
+//   BenchCurved depths    a torus whose relief goes deeper and deeper
+//   BenchCurved time      the torus of 8 x 3 tiles, 512 x 512
+
+#include "DrawnAOVs.h"
+#include "MesoFrameCost.h"
+#include "MesoGeometryError.h"
+#include "MesoKernels.h"
+#include "MesoReference.h"
+#include "MesoTestScene.h"
+
+#include "vtkMesoReliefMapper.h"
+
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataNormals.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+
+namespace
+{
+struct Base
+{
+  const char* Name;
+  const char* Keys; ///< of the scene
+};
+
+const Base Bases[] = {
+  { "relief", R"("technique": "relief")" },
+  { "relief-quadric", R"("technique": "relief-quadric")" },
+  { "relief-quadric-exact", R"("technique": "relief-quadric-exact")" },
+  { "osculating", R"("technique": "relief-quadric", "curved": "osculating")" },
+  { "bent", R"("technique": "relief-quadric", "curved": "bent")" },
+  { "surface", R"("technique": "relief-quadric", "curved": "surface")" },
+};
+
+struct Shape
+{
+  const char* Name;
+  const char* Mesh;
+  const char* Camera;
+  const char* Relief; ///< scale and tiles
+};
+
+const Shape Shapes[] = {
+  { "cylinder, seen across its axis",
+    R"({"shape": "cylinder", "sides": 48, "rings": 12, "radius": 0.5, "height": 1.6})",
+    R"({"position": [3.2, 0.6, 0], "focal_point": [0, 0, 0], "view_up": [0, 1, 0], "view_angle": 34})",
+    R"("scale": 0.06, "tiles": [6, 3])" },
+  { "cylinder, seen along its axis",
+    R"({"shape": "cylinder", "sides": 48, "rings": 12, "radius": 0.5, "height": 1.6})",
+    R"({"position": [0.9, 3.0, 0], "focal_point": [0, 0, 0], "view_up": [1, 0, 0], "view_angle": 34})",
+    R"("scale": 0.06, "tiles": [6, 3])" },
+  { "sphere", R"({"shape": "sphere", "rings": 32, "sides": 64})",
+    R"({"position": [0, 1.0, 3.6], "focal_point": [0, 0, 0], "view_up": [0, 1, 0], "view_angle": 34})",
+    R"("scale": 0.1, "tiles": [8, 4])" },
+  { "torus from outside", R"({"shape": "torus", "rings": 80, "sides": 30})",
+    R"({"position": [0, 2.4, 2.6], "focal_point": [0, 0, 0], "view_up": [0, 1, 0], "view_angle": 44})",
+    R"("scale": 0.12, "tiles": [8, 3])" },
+  { "torus from inside", R"({"shape": "torus", "rings": 80, "sides": 30})",
+    R"({"position": [0, 0.7, 0.2], "focal_point": [0, 0, -0.6], "view_up": [0, 1, 0], "view_angle": 60})",
+    R"("scale": 0.12, "tiles": [8, 3])" },
+  { "saddle", "\"saddle.obj\"",
+    R"({"position": [0, -3.4, 1.5], "focal_point": [0, 0, 0], "view_up": [0, 0, 1], "view_angle": 34})",
+    R"("scale": 0.08, "tiles": [4, 4])" },
+  { "teapot", "\"teapot.obj\"",
+    R"({"position": [1.5, 5.5, 9], "focal_point": [0.2, 1.4, 0], "view_up": [0, 1, 0], "view_angle": 32})",
+    R"("scale": 0.06, "tiles": [2, 2])" },
+};
+
+/// Distance from (x, z) to the parabola z = x^2 / 2, z down, by Newton's method on the foot's x.
+double NormalDistance(double x, double z)
+{
+  double foot = x;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double value = foot - x + foot * (0.5 * foot * foot - z);
+    const double slope = 1. + 1.5 * foot * foot - z;
+    foot -= value / slope;
+  }
+  return std::hypot(x - foot, z - 0.5 * foot * foot);
+}
+
+/// Rays that enter a cylinder of radius 1 at some angles to its normal, where they are truly 0.05 deep, or
+/// half as deep as they get.
+void MeasureDistances()
+{
+  const MesoKernels::Double::QuadricExact kernel;
+  const glm::dvec3 quadric(0.5, 0., 0.);
+  std::printf("degrees,true_depth,equation_6,equation_7,normal_distance\n");
+  for (const double degrees :
+    { 0.1, 0.5, 1., 2., 5., 10., 20., 30., 40., 50., 60., 70., 75., 80., 85., 88., 89. })
+  {
+    const double angle = degrees * 3.14159265358979323846 / 180.;
+    const glm::dvec3 view(std::sin(angle), 0., std::cos(angle));
+    const double depth = std::min(0.05, 0.5 * (1. - view.x));
+    // (1 - depth)^2 = x^2 + (1 - z)^2
+    const double rest = depth * (2. - depth);
+    const double time = rest / (view.z + std::sqrt(view.z * view.z - rest));
+    const glm::dvec3 point = time * view;
+    const glm::dvec3 across = kernel.acrossView({ 0., 0., -1. }, view);
+    std::printf("%g,%.6f,%.4f,%.4f,%.4f\n", degrees, depth,
+      kernel.distanceAcross(quadric, across, point) / depth,
+      kernel.distanceToQuadric(quadric, point) / depth, NormalDistance(point.x, point.z) / depth);
+  }
+}
+
+MesoScene SceneOf(const std::string& mesh, const std::string& camera, const std::string& relief,
+  const std::string& technique)
+{
+  const std::string text = R"({ "meso": 1, "camera": )" + camera +
+    R"(, "lights": [{"type": "directional", "direction": [-0.5, -0.8, -0.6]}],
+    "nodes": [{"mesh": )" +
+    mesh + R"(, "mesostructure": {)" + technique + ", " + relief +
+    R"(, "quality": "high", "height_map": {"pattern": "smooth", "size": [256, 256]}}}] })";
+  return MesoParseScene(text, MESO_MESHES "/bench.json");
+}
+
+MesoAOVs TruthOf(const MesoScene& scene, int size, MesoReference::Surface surface)
+{
+  return MesoAOVsOfImage(MesoReference(scene, surface).Render(size, size).AOVs);
+}
+
+/// smooth: null where the shape has no closed form.
+void PrintErrors(
+  const char* name, const MesoAOVs& mesh, const MesoAOVs* smooth, const MesoScene& scene, int size)
+{
+  const MesoAOVs drawn = DrawnAOVs(scene, size, size);
+  const MesoGeometryError error = MesoCompareGeometry(mesh, drawn);
+  std::printf("%-22s %8.4f %8.2f %8.3f %8.3f %8.4f %6zu", name, error.CoverageIou,
+    error.SilhouetteMean, error.Texcoord.P50, error.Texcoord.P95, error.Depth.P95,
+    error.HolePixels);
+  if (smooth)
+  {
+    const MesoGeometryError toSmooth = MesoCompareGeometry(*smooth, drawn);
+    std::printf(" %10.4f %8.3f", toSmooth.CoverageIou, toSmooth.Texcoord.P95);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+void PrintHead()
+{
+  std::printf("%-22s %8s %8s %8s %8s %8s %6s %10s %8s\n", "base", "IoU", "edge px", "tex p50",
+    "tex p95", "depth95", "holes", "smooth IoU", "tex p95");
+}
+
+void MeasureShapes()
+{
+  constexpr int size = 320;
+  for (const Shape& shape : Shapes)
+  {
+    const MesoScene scene = SceneOf(shape.Mesh, shape.Camera, shape.Relief, Bases[0].Keys);
+    const MesoAOVs mesh = TruthOf(scene, size, MesoReference::Surface::Mesh);
+    const bool closed = shape.Mesh[0] == '{';
+    const MesoAOVs smooth = closed ? TruthOf(scene, size, MesoReference::Surface::Smooth) : mesh;
+    std::printf("%s\n", shape.Name);
+    PrintHead();
+    for (const Base& base : Bases)
+    {
+      PrintErrors(base.Name, mesh, closed ? &smooth : nullptr,
+        SceneOf(shape.Mesh, shape.Camera, shape.Relief, base.Keys), size);
+    }
+    std::printf("\n");
+  }
+}
+
+void MeasureDepths()
+{
+  constexpr int size = 320;
+  const Shape& shape = Shapes[3];
+  for (const double part : { 0.03, 0.075, 0.15, 0.3, 0.5 }) // of the tube's radius
+  {
+    const std::string relief = "\"scale\": " + std::to_string(0.4 * part) + R"(, "tiles": [8, 3])";
+    const MesoScene scene = SceneOf(shape.Mesh, shape.Camera, relief, Bases[0].Keys);
+    const MesoAOVs mesh = TruthOf(scene, size, MesoReference::Surface::Mesh);
+    const MesoAOVs smooth = TruthOf(scene, size, MesoReference::Surface::Smooth);
+    std::printf("torus from outside, D c_max = %g\n", part);
+    PrintHead();
+    for (const Base& base : Bases)
+    {
+      PrintErrors(
+        base.Name, mesh, &smooth, SceneOf(shape.Mesh, shape.Camera, relief, base.Keys), size);
+    }
+    std::printf("\n");
+  }
+}
+
+/// The torus, cut finely and displaced point by point: VTK's own way.
+vtkSmartPointer<vtkPolyData> WarpedTorus(vtkImageData* heights, double scale)
+{
+  const auto torus =
+    MesoTestScene::Shape("torus", { { "rings", { 320. } }, { "sides", { 160. } } });
+  int size[3];
+  heights->GetDimensions(size);
+  const auto* values = static_cast<const float*>(heights->GetScalarPointer());
+  const MesoKernels::Double::HeightField field(size[0], size[1], MesoWrap::Repeat,
+    std::vector<float>(values, values + std::size_t(size[0]) * std::size_t(size[1])));
+  vtkNew<vtkPoints> points;
+  for (vtkIdType i = 0; i < torus->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    double n[3];
+    double uv[2];
+    torus->GetPoint(i, p);
+    torus->GetPointData()->GetNormals()->GetTuple(i, n);
+    torus->GetPointData()->GetTCoords()->GetTuple(i, uv);
+    const double depth = scale * (1. - field.bilinearHeight({ 8. * uv[0], 3. * uv[1] }));
+    points->InsertNextPoint(p[0] - depth * n[0], p[1] - depth * n[1], p[2] - depth * n[2]);
+  }
+  auto warped = vtkSmartPointer<vtkPolyData>::New();
+  warped->DeepCopy(torus);
+  warped->SetPoints(points);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(warped);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+/// Processor time of all threads that a frame of each group takes, ms, the least of some frames:
+/// what does not depend on what else the machine does.
+std::vector<double> ProcessorTimes(
+  vtkRenderWindow* window, const std::vector<std::vector<vtkProp*>>& groups)
+{
+  const auto now = []
+  {
+    timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
+  };
+  std::vector<double> least(groups.size(), HUGE_VAL);
+  for (int round = 0; round < 6; ++round)
+  {
+    for (std::size_t i = 0; i < groups.size(); ++i)
+    {
+      for (std::size_t k = 0; k < groups.size(); ++k)
+      {
+        groups[k].front()->SetVisibility(k == i);
+      }
+      const double start = now();
+      window->Render();
+      window->WaitForCompletion();
+      least[i] = std::min(least[i], now() - start);
+    }
+  }
+  return least;
+}
+
+void MeasureTime()
+{
+  MesoTestScene scene(512, 512);
+  scene.Renderer->RemoveActor(scene.Actor);
+  scene.AddDirectionalLight(-0.5, -0.8, -0.6);
+  scene.LookFrom(0., 2.4, 2.6, 44.);
+  const auto map = MesoTestScene::Pattern("smooth", 256, 256);
+  std::vector<std::string> names;
+  std::vector<std::vector<vtkProp*>> groups;
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  const auto add = [&](const std::string& name, vtkPolyDataMapper* mapper)
+  {
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->GetProperty()->DeepCopy(scene.Actor->GetProperty());
+    actor->SetMapper(mapper);
+    scene.Renderer->AddActor(actor);
+    actors.push_back(actor);
+    groups.push_back({ actor });
+    names.push_back(name);
+  };
+  vtkNew<vtkPolyDataMapper> warped;
+  warped->SetInputData(WarpedTorus(map, 0.12));
+  warped->ScalarVisibilityOff();
+  add("VTK, 102400 triangles", warped);
+  const auto torus = MesoTestScene::Prepared(
+    MesoTestScene::Shape("torus", { { "rings", { 80. } }, { "sides", { 30. } } }),
+    MesoTechnique::ReliefQuadric);
+  const auto image = MesoTestScene::BaseImage(torus);
+  struct Setting
+  {
+    const char* Name;
+    MesoTechnique Technique;
+    MesoCurvedKind Curved;
+    MesoQuality Quality;
+  };
+  const Setting settings[] = {
+    { "relief-quadric draft", MesoTechnique::ReliefQuadric, MesoCurvedKind::Quadric,
+      MesoQuality::Draft },
+    { "relief-quadric medium", MesoTechnique::ReliefQuadric, MesoCurvedKind::Quadric,
+      MesoQuality::Medium },
+    { "relief-quadric-exact draft", MesoTechnique::ReliefQuadricExact, MesoCurvedKind::Quadric,
+      MesoQuality::Draft },
+    { "relief-quadric-exact medium", MesoTechnique::ReliefQuadricExact, MesoCurvedKind::Quadric,
+      MesoQuality::Medium },
+    { "osculating draft", MesoTechnique::ReliefQuadric, MesoCurvedKind::Osculating,
+      MesoQuality::Draft },
+    { "bent draft", MesoTechnique::ReliefQuadric, MesoCurvedKind::Bent, MesoQuality::Draft },
+    { "surface draft", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface, MesoQuality::Draft },
+    { "surface low", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface, MesoQuality::Low },
+    { "surface medium", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface,
+      MesoQuality::Medium },
+  };
+  for (const Setting& setting : settings)
+  {
+    vtkNew<vtkMesoReliefMapper> relief;
+    MesoMesostructureOptions options;
+    options.Technique = setting.Technique;
+    options.Curved = setting.Curved;
+    options.Quality = setting.Quality;
+    options.Scale = 0.12;
+    options.Tiles = { 8., 3. };
+    options.Effects.Auto = false; // VTK's mesh shades nothing but itself
+    options.Effects.Named =
+      MesoEffectsOfTechnique(setting.Technique).Without({ MesoEffect::SelfShadow });
+    relief->SetOptions(options);
+    relief->SetHeightMap(map);
+    relief->SetBaseImage(image);
+    relief->SetInputData(torus);
+    add(setting.Name, relief);
+  }
+  const auto costs = MesoMeasureFrames(scene.Window, groups, 2, 8);
+  const auto processor = ProcessorTimes(scene.Window, groups);
+  std::printf("torus, 8 x 3 tiles, D = 0.12, 512 x 512, without self-shadow\n%s; %s\n",
+    scene.Window->GetGLRenderer().c_str(), costs.front().Clock.c_str());
+  std::printf("%-30s %10s %10s %10s %8s %12s %8s\n", "", "median ms", "min", "max", "ratio",
+    "processor ms", "ratio");
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    std::printf("%-30s %10.2f %10.2f %10.2f %8.2f %12.1f %8.2f\n", names[i].c_str(),
+      costs[i].Gpu.Median, costs[i].Gpu.Minimum, costs[i].Gpu.Maximum,
+      costs[i].Gpu.Minimum / costs[0].Gpu.Minimum, processor[i], processor[i] / processor[0]);
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const char* what = argc > 1 ? argv[1] : "";
+  if (std::strcmp(what, "distances") == 0)
+  {
+    MeasureDistances();
+  }
+  else if (std::strcmp(what, "shapes") == 0)
+  {
+    MeasureShapes();
+  }
+  else if (std::strcmp(what, "depths") == 0)
+  {
+    MeasureDepths();
+  }
+  else if (std::strcmp(what, "time") == 0)
+  {
+    MeasureTime();
+  }
+  else
+  {
+    std::fprintf(stderr, "Usage: BenchCurved distances | shapes | depths | time\n");
+    return 2;
+  }
+  return 0;
+}

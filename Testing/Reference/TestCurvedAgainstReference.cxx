@@ -1,0 +1,56 @@
+// The curved bases against the true displaced mesh: outlines and places of a torus, whose curvature
+// changes along every ray.
+
+#include "DrawnAOVs.h"
+#include "MesoGeometryError.h"
+#include "MesoReference.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+constexpr int Size = 160;
+
+MesoScene Torus(const std::string& technique)
+{
+  const std::string text = R"({ "meso": 1,
+    "camera": {"position": [0, 2.4, 2.6], "view_up": [0, 1, 0], "view_angle": 44},
+    "lights": [{"type": "directional", "direction": [-0.5, -0.8, -0.6]}],
+    "nodes": [{"mesh": {"shape": "torus", "rings": 80, "sides": 30}, "mesostructure": {)" +
+    technique + R"(, "quality": "high", "scale": 0.12, "tiles": [8, 3],
+      "height_map": {"pattern": "smooth", "size": [256, 256]}}}] })";
+  return MesoParseScene(text, "torus.json");
+}
+}
+
+TEST(CurvedAgainstReference, OnATorus)
+{
+  const std::string quadric = R"("technique": "relief-quadric")";
+  const MesoAOVs truth = MesoAOVsOfImage(MesoReference(Torus(quadric)).Render(Size, Size).AOVs);
+  const auto errorOf = [&](const std::string& technique)
+  { return MesoCompareGeometry(truth, DrawnAOVs(Torus(technique), Size, Size)); };
+  const MesoGeometryError parabola = errorOf(quadric);
+  const MesoGeometryError exact = errorOf(R"("technique": "relief-quadric-exact")");
+  const MesoGeometryError osculating = errorOf(quadric + R"(, "curved": "osculating")");
+  const MesoGeometryError bent = errorOf(quadric + R"(, "curved": "bent")");
+  const MesoGeometryError surface = errorOf(quadric + R"(, "curved": "surface")");
+  for (const MesoGeometryError* error : { &parabola, &exact, &osculating, &bent, &surface })
+  {
+    EXPECT_EQ(error->NanPixels, 0u);
+  }
+  // Measured at 320 x 320: overlap .978, .984, .986, .997 and .997; texels at the 95th percentile 12,
+  // 14, 8.3, 1.3 and .44. A quarter of the pixels doubles the outline's part of them.
+  EXPECT_GT(parabola.CoverageIou, 0.965);
+  EXPECT_GT(exact.CoverageIou, parabola.CoverageIou);
+  EXPECT_GT(osculating.CoverageIou, parabola.CoverageIou);
+  EXPECT_GT(bent.CoverageIou, 0.992);
+  EXPECT_GT(surface.CoverageIou, 0.992);
+  EXPECT_LT(osculating.Texcoord.P95, 0.8 * parabola.Texcoord.P95);
+  EXPECT_LT(bent.Texcoord.P95, 2.5);
+  EXPECT_LT(surface.Texcoord.P50, 0.05);
+  EXPECT_LT(surface.Texcoord.P95, 1.);
+  EXPECT_LT(surface.Depth.P95, 0.02);
+  // Across the ray is not below the base: the report's more accurate distance places the relief worse.
+  EXPECT_GT(exact.Texcoord.P50, 2. * parabola.Texcoord.P50);
+  EXPECT_LT(surface.ShadowCast, 0.08);
+}
