@@ -39,7 +39,7 @@ std::array<unsigned char, 3> ColorOfTechnique(const std::string& name)
 {
   constexpr std::array<unsigned char, 3> Colors[] = { { 60, 60, 60 }, { 0, 114, 178 },
     { 213, 94, 0 }, { 0, 158, 115 }, { 204, 121, 167 }, { 230, 159, 0 }, { 86, 180, 233 },
-    { 120, 80, 20 } };
+    { 120, 80, 20 }, { 148, 103, 189 }, { 188, 189, 34 }, { 227, 119, 194 } };
   const std::vector<std::string> names = MesoTechniqueNames();
   const std::size_t place = std::find(names.begin(), names.end(), name) - names.begin();
   return Colors[place % std::size(Colors)];

@@ -55,6 +55,14 @@ void CollectMeshes(
     CollectMeshes(node.Children, meshes);
   }
 }
+
+/// Whether a normal map gives normals that no technique's model knows.
+bool HasNormalMap(const std::vector<MesoSceneNode>& nodes)
+{
+  return std::any_of(nodes.begin(), nodes.end(),
+    [](const MesoSceneNode& node)
+    { return !node.Material.NormalMap.empty() || HasNormalMap(node.Children); });
+}
 }
 
 const char* MesoName(BenchSurface surface)
@@ -109,7 +117,7 @@ std::optional<MesoAOVs> SolveModel(
   const MesoScene& scene, MesoTechnique technique, const std::array<int, 2>& size)
 {
   const MesoScene changed = WithTechnique(scene, technique, std::nullopt);
-  if (technique == MesoTechnique::Plain || !HaveModels(changed.Nodes))
+  if (technique == MesoTechnique::Plain || !HaveModels(changed.Nodes) || HasNormalMap(scene.Nodes))
   {
     return std::nullopt;
   }

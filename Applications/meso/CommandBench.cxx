@@ -135,7 +135,7 @@ std::vector<BenchArm> CommandBench::Arms() const
     {
       continue;
     }
-    if (value == MesoTechnique::Plain)
+    if (!MesoHasQualities(value))
     {
       arms.push_back(
         { value, std::nullopt, std::nullopt, false, std::nullopt }); // which has one setting

@@ -17,6 +17,10 @@ out vec3 mesoNormalMCGSOutput;
 out vec3 mesoPerTCoordUGSOutput;
 out vec3 mesoPerTCoordVGSOutput;
 #endif
+#ifdef MESO_NORMAL_TANGENT
+in vec2 mesoTileScaleVSOutput[];
+out vec2 mesoTileScaleGSOutput;
+#endif
 #ifdef MESO_CURVATURE
 in vec3 mesoQuadricVSOutput[];
 in vec3 mesoMetricVSOutput[];

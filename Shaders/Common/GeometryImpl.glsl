@@ -9,6 +9,9 @@
     mesoPerTCoordUGSOutput = mesoPerTCoordUVSOutput[i];
     mesoPerTCoordVGSOutput = mesoPerTCoordVVSOutput[i];
 #endif
+#ifdef MESO_NORMAL_TANGENT
+    mesoTileScaleGSOutput = mesoTileScaleVSOutput[i];
+#endif
 #ifdef MESO_CURVATURE
     mesoQuadricGSOutput = mesoQuadricVSOutput[i];
     mesoMetricGSOutput = mesoMetricVSOutput[i];

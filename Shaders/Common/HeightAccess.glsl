@@ -12,6 +12,12 @@ float sampleHeight(vec2 uv)
   return textureLod(mesoHeightMap, uv, 0.0).r;
 }
 
+// Of a level of the pyramid, where the technique has one.
+float filteredHeight(vec2 uv, float level)
+{
+  return textureLod(mesoHeightMap, uv, level).r;
+}
+
 ivec2 mapSize()
 {
   return textureSize(mesoHeightMap, 0);

@@ -1,5 +1,4 @@
 // The contract of a technique for those that search a height map: what they share around their
-// The contract of a technique for those that search a height map: what they share around their
 // search. Stands on Common/ReliefFrame, Kernels/HeightField and Common/ReliefSearch. The technique
 // itself defines the three functions that are declared here.
 

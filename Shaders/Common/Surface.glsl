@@ -6,6 +6,7 @@
 //   MESO_DISPLACED    the mesh itself is the detail
 //   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
 //   MESO_CLIPPED      clipping planes cut the surface
+//   MESO_NORMAL_MAP   a normal map gives the shading normal: Common/NormalMap
 //   MESO_AOV          every pixel's hit is written out as numbers
 //   MESO_LIGHT_COUNT  number of lights that are on
 

@@ -4,6 +4,9 @@
   mesoFragment.RayStart = max(mesoKept.x, 0.0);
 #endif
   mesoHit = traceSurface(mesoFragment);
+#ifdef MESO_NORMAL_MAP
+  mapNormal(mesoFragment, mesoHit); // has derivatives: before anything is discarded
+#endif
 #ifdef MESO_CLIPPED
   mesoHit.Found =
     mesoHit.Found && mesoHit.RayLength >= mesoKept.x && mesoHit.RayLength <= mesoKept.y;

@@ -22,6 +22,9 @@ out vec3 mesoNormalMCVSOutput;
 out vec3 mesoPerTCoordUVSOutput; // dp/du and dp/dv in VC, per unit of the mesh's own coordinate
 out vec3 mesoPerTCoordVVSOutput;
 #endif
+#ifdef MESO_NORMAL_TANGENT
+out vec2 mesoTileScaleVSOutput;
+#endif
 #ifdef MESO_CURVATURE
 in vec3 mesoQuadric;
 out vec3 mesoQuadricVSOutput; // over the mesh's own coordinate, object units: Kernels/Quadric

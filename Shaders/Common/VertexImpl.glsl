@@ -9,6 +9,9 @@
   mesoPerTCoordUVSOutput = mesoModelToView * (mesoTileScale.x * mesoTangent);
   mesoPerTCoordVVSOutput = mesoModelToView * (mesoTileScale.y * mesoBitangent);
 #endif
+#ifdef MESO_NORMAL_TANGENT
+  mesoTileScaleVSOutput = mesoTileScale;
+#endif
 #ifdef MESO_CURVATURE
   mesoQuadricVSOutput =
     quadricOverTexture(mesoQuadric, mesoTangent, mesoBitangent, mesoNormal, mesoTileScale);

@@ -67,3 +67,19 @@ bool solveFrame(vec3 a, vec3 b, vec3 c, vec3 r, out vec3 x)
   x.z = dot(unitR, cross(unitA, unitB)) / volume * (sizeR / sizeC) / lengthC;
   return true;
 }
+
+// The unit normal q_u x q_v of a surface over a frame of dp/du, dp/dv and the way of depth, whose
+// coordinates count perV x perDepth, perDepth x perU and perU x perV: (dh/du, dh/dv, 1) for heights h
+// where depth runs by 1 - h. The last is taken as the base's own unit normal times the frame's area, so
+// that a mirrored chart, where it points against the normal, comes out right and a flat map gives the
+// normal itself, bit for bit.
+vec3 tiltedNormal(vec3 perU, vec3 perV, vec3 perDepth, vec3 normal, vec3 coordinates)
+{
+  vec3 tilt = coordinates.x * cross(perV, perDepth) + coordinates.y * cross(perDepth, perU);
+  float area = dot(cross(perU, perV), normal);
+  if (!(abs(area) > 0.0) || tilt == vec3(0.0))
+  {
+    return normal;
+  }
+  return normalize(coordinates.z * normal + tilt / area);
+}

@@ -240,3 +240,30 @@ TEST(MesoBake, FromMeshRefusesWhatMakesNoSense)
   ExpectRefused(folder.Bake("base.obj", { "--normal", folder.PathOf("base.obj") }), 1, "is read");
   EXPECT_EQ(folder.Names().size(), 3u);
 }
+
+TEST(MesoBake, HorizonOfTheRampSeesItsOwnWall)
+{
+  const BakeFolder folder;
+  const MesoRun run = folder.Bake(
+    "horizon", "ramp.horizon.vti", { "--azimuths", "4", "--scale", "0.5", "--wrap", "clamp" });
+  ASSERT_EQ(run.ExitCode, 0) << run.Messages;
+  const MesoBaked baked = MesoReadBaked(folder.PathOf("ramp.horizon.vti"), "horizon");
+  EXPECT_EQ(
+    std::get<std::vector<double>>(baked.Parameters.at("scale")), std::vector<double>{ 0.5 });
+  EXPECT_EQ(std::get<std::string>(baked.Parameters.at("wrap")), "clamp");
+  vtkDataArray* horizon = baked.Table->GetPointData()->GetArray("Horizon");
+  ASSERT_EQ(horizon->GetNumberOfComponents(), 4);
+  // Uphill the ramp itself, 8/7 a tile; downhill and across nothing. 16 bits round heights.
+  EXPECT_NEAR(horizon->GetComponent(8 + 3, 0), std::atan(0.5 * 8. / 7.), 1e-4);
+  EXPECT_EQ(horizon->GetComponent(8 + 3, 2), 0.);
+  const double cosine = std::cos(horizon->GetComponent(8 + 3, 0));
+  double across = 3.;
+  for (const int k : { 1, 3 })
+  {
+    const double part = std::cos(horizon->GetComponent(8 + 3, k));
+    across += part * part - 1.;
+  }
+  EXPECT_NEAR(baked.Table->GetPointData()->GetArray("AmbientOcclusion")->GetComponent(8 + 3, 0),
+    (across + cosine * cosine) / 4., 1e-6);
+  ExpectRefused(folder.Bake("horizon", "b.vti", { "--azimuths", "3" }), 2, "--azimuths");
+}

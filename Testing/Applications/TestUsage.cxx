@@ -54,7 +54,7 @@ TEST(MesoHelp, OfACommandNamesItsOptions)
   EXPECT_EQ(run.ExitCode, 0);
   EXPECT_EQ(run.Messages, "");
   for (const char* part : { "Example: meso render ", "--output", "--size", "--technique",
-         "--quality", "--effects", "--aov", "--samples", "--stats", "plain, relief",
+         "--quality", "--effects", "--aov", "--samples", "--stats", "plain, bump",
          "draft, low, medium, high", "shading, occlusion, self_shadow, depth" })
   {
     EXPECT_TRUE(Contains(run.Output, part)) << part << "\nis not in\n" << run.Output;
@@ -108,7 +108,7 @@ TEST(MesoUsage, OptionsAreThoseOfTheHelp)
 
 TEST(MesoUsage, NamesTheChoices)
 {
-  ExpectOptionsRefused({ "--technique", "relif" }, { "--technique", "'relif'", "plain, relief" });
+  ExpectOptionsRefused({ "--technique", "relif" }, { "--technique", "'relif'", "plain, bump" });
   ExpectOptionsRefused(
     { "--quality", "best" }, { "--quality", "'best'", "draft, low, medium, high" });
   ExpectOptionsRefused({ "--effects", "occlusion,shine" },

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <ostream>
 #include <set>
+#include <vector>
 
 namespace
 {
@@ -23,6 +24,7 @@ struct Picture
   const char* Scene; ///< Data/Scenes/<Scene>
   const char* Size;
   const char* Verb = "render";
+  const char* Technique = ""; ///< in place of the scene's
 };
 
 // GoogleTest puts it into the test's name, which must not change from run to run.
@@ -33,6 +35,13 @@ void PrintTo(const Picture& picture, std::ostream* stream)
 
 const Picture Pictures[] = {
   { "Demo", "demo.json", "400x300" },
+  { "ComparedTruth", "Documentation/Compared.json", "320x240", "reference" },
+  { "ComparedBump", "Documentation/Compared.json", "320x240", "render", "bump" },
+  { "ComparedNormal", "Documentation/Compared.json", "320x240", "render", "normal" },
+  { "ComparedParallax", "Documentation/Compared.json", "320x240", "render", "parallax" },
+  { "ComparedRelief", "Documentation/Compared.json", "320x240", "render", "relief" },
+  { "ComparedReliefQuadric", "Documentation/Compared.json", "320x240", "render", "relief-quadric" },
+  { "ComparedTessellated", "Documentation/Compared.json", "320x240", "render", "tessellated" },
   { "ColorHeight", "Documentation/ColorHeight.json", "320x240" },
   { "CurvedBent", "Documentation/CurvedBent.json", "320x240" },
   { "CurvedExact", "Documentation/CurvedExact.json", "320x240" },
@@ -112,8 +121,14 @@ TEST_P(DocumentationPicture, IsWhatTheProgramRenders)
   const Picture& picture = GetParam();
   const TemporaryFolder folder;
   const std::string file = folder.PathOf("picture.png");
-  const MesoRun run = RunMeso({ picture.Verb, std::string(MESO_SCENES) + "/" + picture.Scene, "-o",
-    file, "--size", picture.Size, "--samples", "4" });
+  std::vector<std::string> arguments = { picture.Verb,
+    std::string(MESO_SCENES) + "/" + picture.Scene, "-o", file, "--size", picture.Size, "--samples",
+    "4" };
+  if (*picture.Technique)
+  {
+    arguments.insert(arguments.end(), { "--technique", picture.Technique, "--quality", "medium" });
+  }
+  const MesoRun run = RunMeso(arguments);
   ASSERT_EQ(run.ExitCode, 0) << run.Messages;
   EXPECT_EQ(run.Messages, "");
   EXPECT_TRUE(MesoCompareWithBaseline(

@@ -93,11 +93,6 @@ TEST(SceneRefusals, KnownButNotYetServed)
     EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
       std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
   }
-  for (const char* key : { "normal_map", "normal_map_y" })
-  {
-    EXPECT_EQ(OfNode(std::string(R"("mesh": "a.obj", "material": {")") + key + "\": 1}"),
-      std::string("s.json: nodes[0].material.") + key + ": is not available yet");
-  }
 }
 
 TEST(SceneRefusals, WordsThatAreNoChoice)
@@ -105,10 +100,24 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
   EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
     "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
-    "plain, relief, relief-quadric, relief-quadric-exact, tessellated)");
+    "plain, bump, normal, normal-object, parallax, horizon, relief, relief-quadric, "
+    "relief-quadric-exact, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
-    "relief? choices: plain, relief, relief-quadric, relief-quadric-exact, tessellated)");
+    "relief? choices: plain, bump, normal, normal-object, parallax, horizon, relief, "
+    "relief-quadric, relief-quadric-exact, tessellated)");
+  EXPECT_EQ(OfRelief(R"(, "parallax": "offset")"),
+    "s.json: nodes[0].mesostructure.parallax: technique relief has no parallax to choose");
+  EXPECT_EQ(OfRelief(R"(, "penumbra": 2)"),
+    "s.json: nodes[0].mesostructure.penumbra: technique relief has no penumbra");
+  EXPECT_EQ(OfNode(R"("mesh": "a.obj", "material": {"normal_map_y": "up"})"),
+    "s.json: nodes[0].material.normal_map_y: there is no normal_map that it is of");
+  EXPECT_TRUE(Mentions(
+    OfNode(R"("mesh": "a.obj", "material": {"normal_map": "n.png", "normal_map_y": "left"})"),
+    "up, down"));
+  EXPECT_EQ(OfNode(head + R"("technique": "normal"})"),
+    "s.json: nodes[0].mesostructure: technique normal needs a height_map or a depth_map, or a "
+    "normal_map of the material");
   EXPECT_EQ(OfRelief(R"(, "quadric": "full")"),
     "s.json: nodes[0].mesostructure.quadric: technique relief has no quadric");
   EXPECT_TRUE(Mentions(

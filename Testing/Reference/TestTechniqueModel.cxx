@@ -53,6 +53,18 @@ TEST(TechniqueModel, OfReliefOnAPlaneIsTheTruth)
   EXPECT_LT(error.ShadowCast, 1e-3);
 }
 
+TEST(TechniqueModel, OfBumpIsWhatIsDrawn)
+{
+  const MesoScene scene = MesoParseScene(Torus("bump", "smooth"), "torus.json");
+  const MesoGeometryError error =
+    MesoCompareGeometry(ModelOf(scene), DrawnAOVs(scene, Width, Height));
+  EXPECT_GT(error.CoverageIou, 0.999);
+  // Nothing is searched: what is left is float's rounding.
+  EXPECT_LT(error.Texcoord.P99, 1e-2);
+  EXPECT_LT(error.Normal.P99, 0.02);
+  EXPECT_LT(error.ShadowCast, 2e-3);
+}
+
 TEST(TechniqueModel, HasNoGapsBetweenTrianglesThatAreSmallBesideTheScene)
 {
   // Of a radius of 500 a float knows 3e-5, a hundredth of these triangles' sides.

@@ -9,12 +9,14 @@
  *   MesoKernels::Float::Contour, MesoKernels::Double::Contour
  *     evenContours, oneContour
  *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
- *     solveFrame
+ *     solveFrame, tiltedNormal
  *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
  *     a height map (constructed as MesoHeightTexture) with wrapTexel, bilinearHeight,
  *     heightGradient, patchGradient, searchLinearBinary, searchLinearSecant, occludedLinear, and the
  *     structs HeightPath (made by straightPath and bentPath) and HeightHit; once it has cones (SetCones)
  *     also searchCone, occludedCone, searchCertified, occludedCertified
+ *   MesoKernels::Float::Horizon, MesoKernels::Double::Horizon
+ *     azimuthBefore, azimuthAfter, discBelow
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross
@@ -146,6 +148,12 @@ public:
 #include "MesoQuadricExactFloat.h"
 };
 
+class Horizon
+{
+public:
+#include "MesoHorizonFloat.h"
+};
+
 class HeightField : public MesoHeightTexture<float>
 {
 public:
@@ -252,6 +260,12 @@ class QuadricExact : public Quadric
 {
 public:
 #include "MesoQuadricExactDouble.h"
+};
+
+class Horizon
+{
+public:
+#include "MesoHorizonDouble.h"
 };
 
 class HeightField : public MesoHeightTexture<double>

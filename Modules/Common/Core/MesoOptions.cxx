@@ -10,7 +10,10 @@ struct Entry
 };
 
 constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" },
-  { MesoTechnique::Relief, "relief" }, { MesoTechnique::ReliefQuadric, "relief-quadric" },
+  { MesoTechnique::Bump, "bump" }, { MesoTechnique::Normal, "normal" },
+  { MesoTechnique::NormalObject, "normal-object" }, { MesoTechnique::Parallax, "parallax" },
+  { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
+  { MesoTechnique::ReliefQuadric, "relief-quadric" },
   { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" },
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
@@ -30,6 +33,8 @@ constexpr Entry<MesoQuadricKind> QuadricKinds[] = { { MesoQuadricKind::Full, "fu
 constexpr Entry<MesoCurvedKind> CurvedKinds[] = { { MesoCurvedKind::Quadric, "quadric" },
   { MesoCurvedKind::Bent, "bent" }, { MesoCurvedKind::Osculating, "osculating" },
   { MesoCurvedKind::Surface, "surface" } };
+constexpr Entry<MesoParallaxKind> ParallaxKinds[] = { { MesoParallaxKind::Occlusion, "occlusion" },
+  { MesoParallaxKind::Offset, "offset" } };
 
 template <typename T, std::size_t N>
 const char* NameOf(const Entry<T> (&table)[N], T value)
@@ -104,6 +109,11 @@ const char* MesoName(MesoCurvedKind value)
   return NameOf(CurvedKinds, value);
 }
 
+const char* MesoName(MesoParallaxKind value)
+{
+  return NameOf(ParallaxKinds, value);
+}
+
 std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name)
 {
   return FromName(Techniques, name);
@@ -139,6 +149,11 @@ std::optional<MesoCurvedKind> MesoCurvedKindFromName(const std::string& name)
   return FromName(CurvedKinds, name);
 }
 
+std::optional<MesoParallaxKind> MesoParallaxKindFromName(const std::string& name)
+{
+  return FromName(ParallaxKinds, name);
+}
+
 std::vector<std::string> MesoTechniqueNames()
 {
   return AllNames(Techniques);
@@ -172,6 +187,11 @@ std::vector<std::string> MesoQuadricKindNames()
 std::vector<std::string> MesoCurvedKindNames()
 {
   return AllNames(CurvedKinds);
+}
+
+std::vector<std::string> MesoParallaxKindNames()
+{
+  return AllNames(ParallaxKinds);
 }
 
 MesoEffects::MesoEffects(std::initializer_list<MesoEffect> effects)
@@ -225,6 +245,46 @@ MesoSearchSteps MesoStepsOfQuality(MesoQuality quality)
   return { 64, 7 };
 }
 
+MesoParallaxSteps MesoParallaxStepsOfQuality(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+      return { 8, 1 };
+    case MesoQuality::Low:
+      return { 16, 2 };
+    case MesoQuality::Medium:
+      return { 32, 3 };
+    case MesoQuality::High:
+    case MesoQuality::Certified:
+      return { 64, 4 };
+  }
+  return { 32, 3 };
+}
+
+int MesoAzimuthsOfQuality(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+      return 8;
+    case MesoQuality::Low:
+      return 16;
+    case MesoQuality::Medium:
+      return 32;
+    case MesoQuality::High:
+    case MesoQuality::Certified:
+      return 64;
+  }
+  return 32;
+}
+
+bool MesoHasQualities(MesoTechnique technique)
+{
+  return technique != MesoTechnique::Plain && technique != MesoTechnique::Bump &&
+    technique != MesoTechnique::Normal && technique != MesoTechnique::NormalObject;
+}
+
 bool MesoUsesHeightMap(MesoTechnique technique)
 {
   return technique != MesoTechnique::Plain;
@@ -264,6 +324,14 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
   {
     case MesoTechnique::Plain:
       return {};
+    case MesoTechnique::Bump:
+    case MesoTechnique::Normal:
+    case MesoTechnique::NormalObject:
+      return { MesoEffect::Shading };
+    case MesoTechnique::Parallax:
+      return { MesoEffect::Shading, MesoEffect::Occlusion };
+    case MesoTechnique::Horizon:
+      return { MesoEffect::Shading, MesoEffect::SelfShadow };
     case MesoTechnique::Relief:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth };

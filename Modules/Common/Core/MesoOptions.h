@@ -61,6 +61,13 @@ enum class MesoCurvedKind
   Surface     ///< the mesh itself, looked up in an image of it over its texture coordinates
 };
 
+/// How `parallax` finds where in the map to read.
+enum class MesoParallaxKind
+{
+  Occlusion, ///< equal steps along the view ray, then the straight line between the last two
+  Offset     ///< a few steps along the view ray, each as far as the plane of the slope there
+};
+
 /// What lies outside the map's [0,1] x [0,1].
 enum class MesoWrap
 {
@@ -125,6 +132,7 @@ MESOCOMMONCORE_EXPORT const char* MesoName(MesoWrap value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoEffect value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoQuadricKind value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoCurvedKind value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoParallaxKind value);
 MESOCOMMONCORE_EXPORT std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoQuality> MesoQualityFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoSearch> MesoSearchFromName(const std::string& name);
@@ -133,6 +141,8 @@ MESOCOMMONCORE_EXPORT std::optional<MesoEffect> MesoEffectFromName(const std::st
 MESOCOMMONCORE_EXPORT std::optional<MesoQuadricKind> MesoQuadricKindFromName(
   const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoCurvedKind> MesoCurvedKindFromName(const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoParallaxKind> MesoParallaxKindFromName(
+  const std::string& name);
 ///@}
 
 ///@{
@@ -144,10 +154,28 @@ MESOCOMMONCORE_EXPORT std::vector<std::string> MesoWrapNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoEffectNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoQuadricKindNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoCurvedKindNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoParallaxKindNames();
 ///@}
 
 /// Steps of linear and binary search of a quality.
 MESOCOMMONCORE_EXPORT MesoSearchSteps MesoStepsOfQuality(MesoQuality quality);
+
+/// Steps of `parallax` along the view ray: those of kind Occlusion at a grazing view (a quarter of them
+/// along the normal), and those of kind Offset.
+struct MesoParallaxSteps
+{
+  int Occlusion;
+  int Offset;
+};
+
+/// Steps of `parallax` of a quality: 8 and 1, 16 and 2, 32 and 3, 64 and 4.
+MESOCOMMONCORE_EXPORT MesoParallaxSteps MesoParallaxStepsOfQuality(MesoQuality quality);
+
+/// Directions around each texel that `horizon` has a horizon for: 8, 16, 32, 64.
+MESOCOMMONCORE_EXPORT int MesoAzimuthsOfQuality(MesoQuality quality);
+
+/// Whether qualities of a technique differ at all.
+MESOCOMMONCORE_EXPORT bool MesoHasQualities(MesoTechnique technique);
 
 /// Whether a technique draws a height map; the others have no use for one.
 MESOCOMMONCORE_EXPORT bool MesoUsesHeightMap(MesoTechnique technique);
@@ -187,6 +215,9 @@ struct MesoMesostructureOptions
   MesoQuadricKind Quadric = MesoQuadricKind::Full; ///< for the techniques that bend their relief
   MesoCurvedKind Curved = MesoCurvedKind::Quadric; ///< of ReliefQuadric
   std::optional<MesoSearch> Search;                ///< default: what the quality stands for
+  MesoParallaxKind Parallax = MesoParallaxKind::Occlusion;
+  /// Of `horizon`: degrees of the light's elevation over which the shadow's edge fades, >= 0.
+  double Penumbra = 2.0;
 };
 
 /// Whether the relief's base is looked up in an image of the mesh (vtkMesoBaseImage).

@@ -101,7 +101,10 @@ struct MesoSceneScalarBar
 struct MesoSceneMaterial
 {
   MesoVector3 Color = { 1., 1., 1. };
-  std::string ColorMap; ///< resolved file name, or empty
+  std::string ColorMap;           ///< resolved file name, or empty
+  std::string NormalMap;          ///< resolved file name, or empty
+  bool NormalMapDown = false;     ///< its green grows downwards (normal_map_y)
+  bool NormalMapOfObject = false; ///< it is relative to the object's axes, else to tangents
   std::optional<MesoSceneColorBy> ColorBy;
   std::optional<MesoSceneContours> Contours;
   std::optional<MesoSceneScalarBar> ScalarBar; ///< only with ColorBy

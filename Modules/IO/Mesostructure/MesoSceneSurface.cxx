@@ -9,8 +9,8 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "bump", "normal", "normal-object", "parallax",
-  "horizon", "displacement", "geometry-image", "vdm", "gdm", "slices", "shell-sdf" };
+const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "vdm", "gdm",
+  "slices", "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "full" };
 
 /// A word of a list, for ToChoice.
@@ -280,6 +280,16 @@ MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value)
     { material.Color = color.ToNumbers<3>(MesoSceneRanges::Fraction); });
   value.With(
     "color_map", [&](const MesoSceneValue& name) { material.ColorMap = name.ToFileName(); });
+  value.With(
+    "normal_map", [&](const MesoSceneValue& name) { material.NormalMap = name.ToFileName(); });
+  if (!value.Has("normal_map"))
+  {
+    value.Refuse({ "normal_map_y" }, "there is no normal_map that it is of");
+  }
+  value.With("normal_map_y",
+    [&](const MesoSceneValue& way) {
+      material.NormalMapDown = ReadName(way, "way of green", { "up", "down" }, {}) == "down";
+    });
   if (value.Has("color_by"))
   {
     value.Refuse({ "color_map" }, "there is a color_by already; only one of them gives the color");
@@ -321,6 +331,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
         "technique", &MesoTechniqueFromName, MesoTechniqueNames(), LaterTechniques);
     });
   const std::string name = MesoName(options.Technique);
+  node.Material.NormalMapOfObject = options.Technique == MesoTechnique::NormalObject;
   value.With("quality",
     [&](const MesoSceneValue& quality)
     {
@@ -370,6 +381,25 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   {
     value.At(options.Search ? "search" : "quality").Fail(searchProblem);
   }
+  value.With("parallax",
+    [&](const MesoSceneValue& kind)
+    {
+      if (options.Technique != MesoTechnique::Parallax)
+      {
+        kind.Fail("technique " + name + " has no parallax to choose");
+      }
+      options.Parallax = kind.ToChoice<MesoParallaxKind>(
+        "parallax", &MesoParallaxKindFromName, MesoParallaxKindNames());
+    });
+  value.With("penumbra",
+    [&](const MesoSceneValue& angle)
+    {
+      if (options.Technique != MesoTechnique::Horizon)
+      {
+        angle.Fail("technique " + name + " has no penumbra");
+      }
+      options.Penumbra = angle.ToNumber({ 0., 90., true });
+    });
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });
@@ -400,9 +430,12 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   {
     value.Refuse({ "range", "sample_spacing" },
       "there is no height_map or depth_map or relief_map that it is of");
-    if (MesoUsesHeightMap(options.Technique))
+    const bool mapped = options.Technique == MesoTechnique::Normal ||
+      options.Technique == MesoTechnique::NormalObject;
+    if (MesoUsesHeightMap(options.Technique) && !(mapped && !node.Material.NormalMap.empty()))
     {
-      value.Fail("technique " + name + " needs a height_map or a depth_map");
+      value.Fail("technique " + name + " needs a height_map or a depth_map" +
+        (mapped ? ", or a normal_map of the material" : ""));
     }
     return;
   }

@@ -1,8 +1,8 @@
 #include "MesoHeightMapTexture.h"
 
+#include "MesoMapUpload.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -22,6 +22,15 @@ vtkImageData* MesoHeightMapTexture::GetHeightMap() const
   return this->HeightMap;
 }
 
+void MesoHeightMapTexture::SetMipmaps(bool mipmaps)
+{
+  if (mipmaps != this->Mipmaps)
+  {
+    this->Mipmaps = mipmaps;
+    this->UploadedTime = 0;
+  }
+}
+
 std::string MesoHeightMapTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap)
 {
   vtkDataArray* heights = this->HeightMap->GetPointData()->GetScalars();
@@ -29,27 +38,11 @@ std::string MesoHeightMapTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap
   {
     return "the height map must have one component of float";
   }
-  int size[3];
-  this->HeightMap->GetDimensions(size);
-  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
-  if (size[0] > limit || size[1] > limit)
+  const std::string failure =
+    MesoUploadMap(this->Texture, window, this->HeightMap, wrap, this->Mipmaps, "height map");
+  if (!failure.empty())
   {
-    return "the height map of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
-      " is larger than the " + std::to_string(limit) + " that this device takes";
-  }
-  const int wraps[] = { vtkTextureObject::Repeat, vtkTextureObject::ClampToEdge,
-    vtkTextureObject::MirroredRepeat };
-  vtkTextureObject* texture = this->Texture;
-  texture->ReleaseGraphicsResources(window);
-  texture->SetContext(window);
-  texture->SetWrapS(wraps[static_cast<int>(wrap)]);
-  texture->SetWrapT(wraps[static_cast<int>(wrap)]);
-  texture->SetMinificationFilter(vtkTextureObject::Linear);
-  texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  if (!texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
-        static_cast<unsigned int>(size[1]), 1, VTK_FLOAT, heights->GetVoidPointer(0)))
-  {
-    return "the height map could not be made a texture";
+    return failure;
   }
   this->UploadedTime = this->HeightMap->GetMTime();
   this->UploadedWrap = wrap;
@@ -102,5 +95,7 @@ std::size_t MesoHeightMapTexture::GetGPUBytes() const
   {
     return 0;
   }
-  return std::size_t(this->Texture->GetWidth()) * this->Texture->GetHeight() * sizeof(float);
+  const std::size_t bytes =
+    std::size_t(this->Texture->GetWidth()) * this->Texture->GetHeight() * sizeof(float);
+  return this->Mipmaps ? bytes * 4 / 3 : bytes;
 }

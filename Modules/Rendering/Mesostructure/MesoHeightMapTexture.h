@@ -32,6 +32,9 @@ public:
   void SetHeightMap(vtkImageData* heights);
   vtkImageData* GetHeightMap() const;
 
+  /// Whether a pyramid of filtered heights is held as well, for techniques that read it. Default: no.
+  void SetMipmaps(bool mipmaps);
+
   /// Upload what has changed and bind the texture. Returns why that failed, or an empty text; without
   /// a map there is nothing to do.
   std::string Activate(vtkOpenGLRenderWindow* window, MesoWrap wrap);
@@ -45,6 +48,7 @@ private:
 
   vtkSmartPointer<vtkImageData> HeightMap;
   vtkNew<vtkTextureObject> Texture;
+  bool Mipmaps = false;
   unsigned long long UploadedTime = 0; ///< MTime of the map that the texture holds
   MesoWrap UploadedWrap = MesoWrap::Repeat;
 };

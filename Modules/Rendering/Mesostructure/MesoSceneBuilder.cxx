@@ -1,6 +1,7 @@
 #include "MesoSceneBuilder.h"
 
 #include "MesoAlgorithmRun.h"
+#include "MesoBumpMaps.h"
 #include "MesoHeightMap.h"
 #include "MesoMapInput.h"
 #include "MesoScalarBar.h"
@@ -12,6 +13,7 @@
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMesoBaseImage.h"
+#include "vtkMesoBumpMapper.h"
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoImageReader.h"
 #include "vtkMesoMeshReader.h"
@@ -411,7 +413,21 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     }
     object.Mesh = object.Base;
     const MesoTechnique technique = node.Mesostructure.Technique;
-    if (MesoUsesHeightMap(technique) && node.Mesostructure.Scale == 0.)
+    MesoNormals normals;
+    if (!node.Material.NormalMap.empty() &&
+      MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Shading))
+    {
+      const std::string inMaterial = inScene + ".material.normal_map";
+      if (technique == MesoTechnique::Tessellated)
+      {
+        throw MesoInputError(inMaterial +
+          ": technique tessellated shows the normals of the diced mesh, and no others");
+      }
+      normals = MesoReadNormalMap(node.Material, inMaterial, this->Warnings);
+      object.NormalMap = normals.Image;
+      object.NormalMeaning = normals.Meaning;
+    }
+    if (MesoUsesHeightMap(technique) && object.HeightMap && node.Mesostructure.Scale == 0.)
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
@@ -434,6 +450,21 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       }
       object.Mapper = relief;
     }
+    else if (technique == MesoTechnique::Bump || technique == MesoTechnique::Normal ||
+      technique == MesoTechnique::NormalObject || technique == MesoTechnique::Parallax ||
+      technique == MesoTechnique::Horizon)
+    {
+      if (technique == MesoTechnique::Parallax && node.Mesostructure.Reference != 1. &&
+        MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Occlusion))
+      {
+        object.Mesh = this->Moved(object, inScene + ".mesh");
+      }
+      vtkNew<vtkMesoBumpMapper> bump;
+      bump->SetOptions(node.Mesostructure);
+      MesoSetBumpMaps(
+        bump, object.HeightMap, object.Mesh, normals, inScene + ".mesostructure", this->Warnings);
+      object.Mapper = bump;
+    }
     else if (technique == MesoTechnique::Tessellated)
     {
       object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
@@ -446,6 +477,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
         ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")
         : object.Mesh);
+    if (normals.Image)
+    {
+      object.Mapper->SetNormalMap(normals.Image, normals.Meaning);
+    }
     object.Mapper->SetMapNumbers(heights.Numbers[0], heights.Numbers[1]);
     if (auto* relief = vtkMesoReliefMapper::SafeDownCast(object.Mapper))
     {

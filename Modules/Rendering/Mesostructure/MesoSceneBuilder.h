@@ -1,6 +1,7 @@
 #ifndef MesoSceneBuilder_h
 #define MesoSceneBuilder_h
 
+#include "MesoNormalMap.h"
 #include "MesoScene.h"
 #include "mesoRenderingMesostructureModule.h" // for export macro
 #include "vtkSmartPointer.h"
@@ -37,6 +38,8 @@ public:
     vtkSmartPointer<vtkPolyData> Base;       ///< with its frames
     vtkSmartPointer<vtkPolyData> Mesh;       ///< the base where height 1 lies: p + (1 - r) D n
     vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
+    vtkSmartPointer<vtkImageData> NormalMap; ///< given to be shown in place of any other; or null
+    MesoNormalMapMeaning NormalMeaning;
     MesoMesostructureOptions Options;
   };
 

@@ -1,5 +1,16 @@
 #include "MesoTechniqueShader.h"
 
+void MesoShaderShape::UseFrame()
+{
+  if (!this->UsesFrame)
+  {
+    this->UsesFrame = true;
+    this->Attributes.insert(this->Attributes.end(),
+      { { "mesoTangent", "MesoTangent" }, { "mesoBitangent", "MesoBitangent" },
+        { "mesoTileScale", "MesoTileScale" } });
+  }
+}
+
 MesoShaderShape MesoTechniqueShader::GetShape() const
 {
   MesoShaderShape shape;

@@ -13,7 +13,7 @@ class vtkShaderProgram;
 class vtkWindow;
 
 /// What a shader is built of. Equal shapes give equal text, so an unequal one asks for a build.
-struct MesoShaderShape
+struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
 {
   std::vector<std::string> Chunks; ///< names in Shaders/, kernels first, the technique last
   std::vector<std::pair<std::string, std::string>> Defines;
@@ -24,6 +24,9 @@ struct MesoShaderShape
   bool UsesFrame = false;   ///< it needs the tangent frame of the vertices
   bool WritesDepth = false; ///< the depth buffer is that of the detail
   bool Displaced = false;   ///< the mesh itself is the detail, with its depth in MesoRelief
+
+  /// Asks for the tangent frame of the vertices, and the arrays that hold it.
+  void UseFrame();
 
   bool operator==(const MesoShaderShape& other) const
   {

@@ -5,6 +5,7 @@
 #include "MesoActorPasses.h"
 #include "MesoHeightColors.h"
 #include "MesoHitTextures.h"
+#include "MesoNormalMapTexture.h"
 #include "MesoShaderAssembler.h"
 #include "MesoShaderBuild.h"
 #include "MesoShaderLibrary.h"
@@ -14,6 +15,7 @@
 #include "MesoViewMatrices.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkMesoAOVPass.h"
@@ -39,6 +41,7 @@ vtkStandardNewMacro(vtkMesoPolyDataMapper);
 vtkMesoPolyDataMapper::vtkMesoPolyDataMapper()
   : Plain(std::make_unique<MesoTechniqueShader>())
   , Attributes(std::make_unique<MesoVertexAttributes>())
+  , NormalMap(std::make_unique<MesoNormalMapTexture>())
   , HeightColors(std::make_unique<MesoHeightColors>())
 {
 }
@@ -52,6 +55,7 @@ void vtkMesoPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tiles: " << this->Options.Tiles[0] << " " << this->Options.Tiles[1] << "\n";
   os << indent << "Wrap: " << MesoName(this->Options.Wrap) << "\n";
   os << indent << "Quality: " << MesoName(this->Options.Quality) << "\n";
+  os << indent << "NormalMap: " << this->GetNormalMap() << "\n";
   os << indent << "HeightColors: " << this->GetHeightColors() << "\n";
   os << indent << "ContourLines: spacing " << this->ContourLines.Spacing << ", "
      << this->ContourLines.Heights.size() << " heights, width " << this->ContourLines.Width << "\n";
@@ -97,7 +101,8 @@ void vtkMesoPolyDataMapper::SetScale(double scale)
 void vtkMesoPolyDataMapper::ComputeBounds()
 {
   this->Superclass::ComputeBounds();
-  if (vtkMath::AreBoundsInitialized(this->Bounds) && this->GetTechnique()->GetShape().Traces)
+  if (vtkMath::AreBoundsInitialized(this->Bounds) && this->GetTechnique()->GetShape().Traces &&
+    MesoEffectsOfTechnique(this->TechniqueOf(this->Options)).Has(MesoEffect::Depth))
   {
     for (int i = 0; i < 6; ++i)
     {
@@ -163,6 +168,7 @@ void vtkMesoPolyDataMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetOptions(other->Options);
     this->SetHeightColors(other->GetHeightColors());
+    this->SetNormalMap(other->GetNormalMap(), other->NormalMap->GetMeaning());
     this->SetContourLines(other->ContourLines);
     this->SetMapNumbers(other->MapNumbers[0], other->MapNumbers[1]);
   }
@@ -175,6 +181,30 @@ void vtkMesoPolyDataMapper::ShallowCopy(vtkAbstractMapper* mapper)
   }
   // vtkOpenGLPolyDataMapper's own copies these, and shader code by functions that warn of themselves.
   this->vtkPolyDataMapper::ShallowCopy(mapper);
+}
+
+void vtkMesoPolyDataMapper::SetNormalMap(vtkImageData* map, const MesoNormalMapMeaning& meaning)
+{
+  this->NormalMap->SetNormalMap(map, meaning);
+  this->Modified();
+}
+
+vtkImageData* vtkMesoPolyDataMapper::GetNormalMap() const
+{
+  return this->NormalMap->GetNormalMap();
+}
+
+MesoShaderShape vtkMesoPolyDataMapper::Shape()
+{
+  MesoShaderShape shape = this->GetTechnique()->GetShape();
+  const MesoEffects effects = this->Options.Effects.Auto
+    ? MesoEffectsOfTechnique(this->TechniqueOf(this->Options))
+    : this->Options.Effects.Named;
+  if (shape.Traces && this->GetNormalMap() && effects.Has(MesoEffect::Shading))
+  {
+    this->NormalMap->AddTo(shape);
+  }
+  return shape;
 }
 
 MesoTechniqueShader* vtkMesoPolyDataMapper::GetTechnique()
@@ -214,12 +244,17 @@ std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor
 void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   MesoTechniqueShader* technique = this->GetTechnique();
-  const MesoShaderShape shape = technique->GetShape();
+  const MesoShaderShape shape = this->Shape();
   this->WhyPlain = this->WhyNot(shape, actor);
   if (this->WhyPlain.empty())
   {
     this->WhyPlain =
       technique->Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  }
+  if (this->WhyPlain.empty())
+  {
+    this->WhyPlain = this->NormalMap->Activate(
+      static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), this->Options.Wrap);
   }
   if (!this->WhyPlain.empty())
   {
@@ -258,12 +293,14 @@ void vtkMesoPolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* a
 {
   this->Superclass::RenderPieceFinish(renderer, actor);
   this->GetTechnique()->Deactivate();
+  this->NormalMap->Deactivate();
   this->HeightColors->Deactivate();
 }
 
 void vtkMesoPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->GetTechnique()->ReleaseGraphicsResources(window);
+  this->NormalMap->ReleaseGraphicsResources(window);
   this->HeightColors->ReleaseGraphicsResources(window);
   this->BuiltKeys.clear();
   this->Superclass::ReleaseGraphicsResources(window);
@@ -283,8 +320,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   vtkPointData* points = this->CurrentInput->GetPointData();
   const bool triangles =
     cellBO.PrimitiveType == PrimitiveTris || cellBO.PrimitiveType == PrimitiveTriStrips;
-  const MesoShaderShape shape =
-    this->WhyPlain.empty() ? this->GetTechnique()->GetShape() : this->Plain->GetShape();
+  const MesoShaderShape shape = this->WhyPlain.empty() ? this->Shape() : this->Plain->GetShape();
   build.Surface = triangles && !this->PointPicking &&
     (shape.Traces || aov || this->HeightColorsReady || this->DrawsContours(shape)) &&
     points->GetNormals() && (points->GetTCoords() || !shape.Traces);
@@ -441,6 +477,7 @@ void vtkMesoPolyDataMapper::SetMapperShaderParameters(
   if (this->WhyPlain.empty())
   {
     this->GetTechnique()->SetUniforms(cellBO.Program);
+    this->NormalMap->SetUniforms(cellBO.Program);
   }
   MesoSetContourUniforms(cellBO.Program, this->ContourLines);
   if (this->HeightColorsReady)
@@ -465,7 +502,8 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
 
 std::size_t vtkMesoPolyDataMapper::GetGPUBytes()
 {
-  std::size_t bytes = this->GetTechnique()->GetGPUBytes() + this->HeightColors->GetGPUBytes();
+  std::size_t bytes = this->GetTechnique()->GetGPUBytes() + this->NormalMap->GetGPUBytes() +
+    this->HeightColors->GetGPUBytes();
   std::vector<std::string> buffers = this->Attributes->Names();
   buffers.insert(buffers.end(), { "vertexMC", "normalMC", "scalarColor", "tcoord" });
   for (const std::string& name : buffers)

@@ -36,6 +36,7 @@
 #define vtkMesoPolyDataMapper_h
 
 #include "MesoContourLines.h"                 // for the lines drawn
+#include "MesoNormalMap.h"                    // for MesoNormalMapMeaning
 #include "MesoOptions.h"                      // for MesoMesostructureOptions
 #include "mesoRenderingMesostructureModule.h" // for export macro
 #include "vtkOpenGLPolyDataMapper.h"
@@ -47,11 +48,13 @@
 #include <string>
 
 class MesoHeightColors;
+class MesoNormalMapTexture;
 class MesoShaderAssembler;
 class MesoTechniqueShader;
 class MesoVertexAttributes;
 struct MesoShaderBuild;
 struct MesoShaderShape;
+class vtkImageData;
 class vtkLookupTable;
 
 class MESORENDERINGMESOSTRUCTURE_EXPORT vtkMesoPolyDataMapper : public vtkOpenGLPolyDataMapper
@@ -114,6 +117,16 @@ public:
   /// tables, maps and input are shared.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
+  ///@{
+  /**
+   * A normal map that gives the shading normal where the ray hit, in place of the technique's own, for
+   * techniques that show the effect `shading`; what its numbers mean is said, never guessed. Null (the
+   * default): none. Techniques that dice show the normals of the diced mesh.
+   */
+  void SetNormalMap(vtkImageData* map, const MesoNormalMapMeaning& meaning = {});
+  vtkImageData* GetNormalMap() const;
+  ///@}
+
   /// The effects that the shader of the last frame had compiled in.
   MesoEffects GetEffectsDrawn() const { return this->EffectsDrawn; }
 
@@ -159,6 +172,8 @@ private:
   vtkMesoPolyDataMapper(const vtkMesoPolyDataMapper&) = delete;
   void operator=(const vtkMesoPolyDataMapper&) = delete;
 
+  /// The technique's, with the normal map's part.
+  MesoShaderShape Shape();
   MesoShaderBuild DescribeBuild(vtkOpenGLHelper& cellBO, vtkActor* actor);
 
   /// Why the technique cannot be drawn on the input or in these passes; empty when it can.
@@ -175,6 +190,7 @@ private:
   MesoContourLines ContourLines;
   std::array<double, 2> MapNumbers = { 0., 1. };
   std::unique_ptr<MesoVertexAttributes> Attributes;
+  std::unique_ptr<MesoNormalMapTexture> NormalMap;
   std::unique_ptr<MesoHeightColors> HeightColors;
   bool HeightColorsReady = false; ///< in this frame
   std::map<const vtkOpenGLHelper*, std::string> BuiltKeys;

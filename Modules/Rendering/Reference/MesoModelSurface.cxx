@@ -186,14 +186,8 @@ glm::dvec3 MesoModelSurface::ReliefNormal(
     ? this->Quadrics.displacedCross(
         fragment.Quadric, fragment.Metric, hit.MapCoord - fragment.MapCoord, hit.Relief, gradient)
     : glm::dvec3(gradient, 1.);
-  const glm::dvec3 tilt = cross.x * glm::cross(fragment.PerMapV, fragment.PerDepth) +
-    cross.y * glm::cross(fragment.PerDepth, fragment.PerMapU);
-  const double area = glm::dot(glm::cross(fragment.PerMapU, fragment.PerMapV), fragment.Normal);
-  if (!(std::abs(area) > 0.) || tilt == glm::dvec3(0.))
-  {
-    return fragment.Normal;
-  }
-  return glm::normalize(cross.z * fragment.Normal + tilt / area);
+  return this->Frame.tiltedNormal(
+    fragment.PerMapU, fragment.PerMapV, fragment.PerDepth, fragment.Normal, cross);
 }
 
 bool MesoModelSurface::FollowRay(

@@ -71,6 +71,10 @@ MesoReferenceSurface::MesoReferenceSurface(
   {
     this->Map = MakePyramid(object.HeightMap, object.Options.Wrap);
   }
+  if (object.NormalMap)
+  {
+    this->NormalMap.emplace(object.NormalMap, object.NormalMeaning, object.Options.Wrap);
+  }
   this->ReadMesh(object.Base, object.Options);
   if (smooth)
   {
@@ -321,6 +325,29 @@ glm::dvec2 MesoReferenceSurface::MapCoordAt(
   return coordinate;
 }
 
+std::optional<glm::dvec3> MesoReferenceSurface::MappedNormal(const MesoReferenceHit& hit,
+  const MesoBasePatch& patch, const glm::dvec3& px, const glm::dvec3& py,
+  const glm::dvec3& normal) const
+{
+  glm::dvec3 perU = px;
+  glm::dvec3 perV = py;
+  if (!this->Shape && !this->HasChart(hit.Patch))
+  {
+    // The patch's own coordinates are weights of the corners, not places on the map.
+    if (this->Coordinates.empty())
+    {
+      return {};
+    }
+    const auto& corners = this->Triangles[hit.Patch];
+    const glm::dvec2 alongX = this->Coordinates[corners[1]] - this->Coordinates[corners[0]];
+    const glm::dvec2 alongY = this->Coordinates[corners[2]] - this->Coordinates[corners[0]];
+    const double area = alongX.x * alongY.y - alongX.y * alongY.x;
+    perU = (alongY.y * px - alongX.y * py) / area;
+    perV = (alongX.x * py - alongY.x * px) / area;
+  }
+  return this->NormalMap->NormalAt(this->MapCoordAt(patch, hit), this->Tiles, perU, perV, normal);
+}
+
 glm::dvec2 MesoReferenceSurface::ShadingGradient(double x, double y) const
 {
   const auto column = static_cast<std::int64_t>(std::floor(x));
@@ -390,6 +417,10 @@ MesoReferencePoint MesoReferenceSurface::Describe(
       if (!(glm::dot(shading, shading) > 0.))
       {
         shading = tangents(base.Px, base.Py, slope); // a mesh with normals of length 0
+      }
+      if (this->NormalMap && !hit.OnBase && !hit.Behind)
+      {
+        shading = this->MappedNormal(hit, patch, px, py, base.N).value_or(shading);
       }
       result.Shading = NormalToWorld(this->Inverse, shading);
       if (hit.Behind)

@@ -5,6 +5,8 @@
  * @class MesoReferenceSurface
  * @brief One node's true surface: its base as patches, what is laid over them, and its matrix.
  *
+ * A normal map that the node's material names gives the shading normals in place of the surface's own.
+ *
  * The base is the node's mesh, with p linear and n normalised-linear in each triangle, or, where
  * the base is to be smooth, the closed form of its built-in shape, cut into as many rectangles as
  * the mesh has. Displaced: q = p + (h - r) D n. Not displaced (`plain`): q = p.
@@ -16,6 +18,7 @@
 #include "MesoBasePatch.h"
 #include "MesoHeightPyramid.h"
 #include "MesoPatchSolver.h" // for MesoDisplacement
+#include "MesoReferenceNormals.h"
 #include "MesoSceneBuilder.h"
 
 #include <cstdint>
@@ -94,6 +97,9 @@ private:
   MesoDisplacement Over(std::size_t patch) const;
   glm::dvec2 MapCoordAt(const MesoBasePatch& patch, const MesoReferenceHit& hit) const;
   glm::dvec2 ShadingGradient(double x, double y) const;
+  /// The normal map's shading normal in place of a hit's own, object space.
+  std::optional<glm::dvec3> MappedNormal(const MesoReferenceHit& hit, const MesoBasePatch& patch,
+    const glm::dvec3& px, const glm::dvec3& py, const glm::dvec3& normal) const;
 
   std::string Label; ///< "node 1 'wall'"
   bool Displaced = false;
@@ -104,8 +110,9 @@ private:
   glm::dmat4 Matrix = glm::dmat4(1.);
   glm::dmat4 Inverse = glm::dmat4(1.);
   bool Mirrored = false;
-  std::shared_ptr<const MesoHeightPyramid> Map; ///< null where not displaced
-  std::optional<MesoShape> Shape;               ///< the base's closed form, where it is smooth
+  std::shared_ptr<const MesoHeightPyramid> Map;  ///< null where not displaced
+  std::optional<MesoReferenceNormals> NormalMap; ///< given in place of the surface's own normals
+  std::optional<MesoShape> Shape;                ///< the base's closed form, where it is smooth
 
   std::vector<glm::dvec3> Points;
   std::vector<glm::dvec3> Normals;

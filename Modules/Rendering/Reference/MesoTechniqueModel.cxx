@@ -5,6 +5,7 @@
 #include "MesoReference.h" // for LargestSize
 #include "MesoReferenceLighting.h"
 #include "MesoSceneAttributes.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -59,7 +60,8 @@ struct MesoTechniqueModel::Implementation
 
 bool MesoTechniqueModel::HasModel(const MesoMesostructureOptions& options)
 {
-  return options.Technique == MesoTechnique::Plain || options.Technique == MesoTechnique::Relief ||
+  return options.Technique == MesoTechnique::Plain || options.Technique == MesoTechnique::Bump ||
+    options.Technique == MesoTechnique::Relief ||
     (options.Technique == MesoTechnique::ReliefQuadric &&
       options.Curved == MesoCurvedKind::Quadric);
 }
@@ -89,6 +91,11 @@ MesoTechniqueModel::MesoTechniqueModel(const MesoScene& scene)
             ? std::string(" over the curved base ") + MesoName(object.Options.Curved)
             : std::string()) +
         " has no model that could be solved apart from it");
+    }
+    if (object.NormalMap)
+    {
+      throw MesoInputError("node " + std::to_string(object.Number) + " '" + object.Name +
+        "': the models of techniques do not know normal maps");
     }
     inside.Surfaces.emplace_back(object);
     inside.Faces.AddTriangles(

@@ -33,8 +33,9 @@ public:
   MesoTechniqueModel(const MesoTechniqueModel&) = delete;
   void operator=(const MesoTechniqueModel&) = delete;
 
-  /// plain, relief, and relief-quadric over the quadric itself. Over other curved bases, and across the
-  /// view ray (relief-quadric-exact), the way of a ray is no parabola that could be solved for.
+  /// plain, bump, relief, and relief-quadric over the quadric itself. Over other curved bases, and
+  /// across the view ray (relief-quadric-exact), the way of a ray is no parabola that could be solved
+  /// for.
   static bool HasModel(const MesoMesostructureOptions& options);
 
   /**
