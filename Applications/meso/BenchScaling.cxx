@@ -138,7 +138,7 @@ std::vector<double> Measure(const Setting& setting, const std::vector<MesoTechni
     }
   }
   vtkNew<vtkMesoAOVPass> pass;
-  CaptureAOVs(window, renderer, builders.front(), pass);
+  CaptureAOVs(renderer, builders.front(), pass);
   covered = 0.;
   for (const float value : pass->GetChannel("coverage"))
   {

@@ -120,7 +120,7 @@ MesoRendering RenderAndCapture(vtkMesoEGLRenderWindow* window, vtkRenderer* rend
         "': " + object.Mapper->GetWhyPlain());
     }
   }
-  CaptureAOVs(window, renderer, builder, pass);
+  CaptureAOVs(renderer, builder, pass);
   MesoExrImage aovs;
   aovs.Width = pass->GetWidth();
   aovs.Height = pass->GetHeight();

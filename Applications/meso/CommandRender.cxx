@@ -104,17 +104,18 @@ void CommandRender::Override(std::vector<MesoSceneNode>& nodes) const
     {
       throw MesoInputError("node '" + node.Name + "': " + searchProblem);
     }
-    if (this->Effects && options.Technique != MesoTechnique::Plain)
+    if (this->Effects)
     {
       const MesoEffects missing =
         this->Effects->Named.Without(MesoEffectsOfTechnique(options.Technique));
-      if (!missing.Empty())
+      // Plain nodes stand beside those that the effects are meant for.
+      if (!missing.Empty() && options.Technique != MesoTechnique::Plain)
       {
         throw MesoInputError("--effects: the technique " +
           std::string(MesoName(options.Technique)) + " of node '" + node.Name +
           "' does not provide " + missing.Names().front());
       }
-      options.Effects = *this->Effects;
+      options.Effects = { this->Effects->Auto, this->Effects->Named.Without(missing) };
     }
     this->Override(node.Children);
   }
@@ -165,11 +166,11 @@ int CommandRender::Run()
   std::string stats;
   if (!this->Channels.empty() || !this->StatsFile.empty())
   {
-    CaptureAOVs(window, renderer, builder, pass);
+    CaptureAOVs(renderer, builder, pass);
   }
   if (!this->StatsFile.empty())
   {
-    stats = MeasureStats(window, renderer, builder, pass, prepareSeconds);
+    stats = MeasureStats(window, builder, pass, prepareSeconds);
   }
   pass->ReleaseGraphicsResources(window);
 

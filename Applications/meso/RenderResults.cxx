@@ -11,6 +11,7 @@
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoPolyDataMapper.h"
+#include "vtkMesoShadowMapPass.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -83,8 +84,7 @@ vtkSmartPointer<vtkImageData> RenderPicture(vtkMesoEGLRenderWindow* window, vtkR
   return image;
 }
 
-void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
-  const MesoSceneBuilder& builder, vtkMesoAOVPass* pass)
+void CaptureAOVs(vtkRenderer* renderer, const MesoSceneBuilder& builder, vtkMesoAOVPass* pass)
 {
   for (const auto& object : builder.GetObjects())
   {
@@ -104,9 +104,7 @@ void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
       std::to_string(vtkMesoAOVPass::MostLights) + " lights; the scene has " +
       std::to_string(lights));
   }
-  renderer->SetPass(pass);
-  window->Render();
-  renderer->SetPass(nullptr);
+  vtkMesoShadowMapPass::RenderThrough(renderer, pass);
   if (pass->GetInterleaved({ "coverage" }).empty())
   {
     throw MesoInputError("the AOVs could not be rendered");
@@ -145,14 +143,13 @@ void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& chann
     pass->GetInterleaved(channels).data(), attributes);
 }
 
-std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
-  const MesoSceneBuilder& builder, const vtkMesoAOVPass* pass, double prepareSeconds)
+std::string MeasureStats(vtkMesoEGLRenderWindow* window, const MesoSceneBuilder& builder,
+  const vtkMesoAOVPass* pass, double prepareSeconds)
 {
   std::vector<vtkProp*> props;
   std::set<std::string> techniques;
   std::set<std::string> qualities;
   std::set<std::string> effects;
-  renderer->SetPass(nullptr);
   for (const auto& object : builder.GetObjects())
   {
     props.push_back(object.Actor);

@@ -28,8 +28,7 @@ vtkSmartPointer<vtkImageData> RenderPicture(vtkMesoEGLRenderWindow* window, vtkR
   int samples, const std::function<void(double)>& progress);
 
 /// Render once with one sample a pixel and keep every pixel's numbers in `pass`.
-void CaptureAOVs(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
-  const MesoSceneBuilder& builder, vtkMesoAOVPass* pass);
+void CaptureAOVs(vtkRenderer* renderer, const MesoSceneBuilder& builder, vtkMesoAOVPass* pass);
 
 /// How often a channel of `pass` counts, a covered pixel.
 struct PixelCounts
@@ -53,7 +52,7 @@ void WriteAOVs(const vtkMesoAOVPass* pass, const std::vector<std::string>& chann
   const MesoExrAttributes& attributes, const std::string& fileName);
 
 /// Measure the figures of cost. Returns one JSON object.
-std::string MeasureStats(vtkMesoEGLRenderWindow* window, vtkRenderer* renderer,
-  const MesoSceneBuilder& builder, const vtkMesoAOVPass* pass, double prepareSeconds);
+std::string MeasureStats(vtkMesoEGLRenderWindow* window, const MesoSceneBuilder& builder,
+  const vtkMesoAOVPass* pass, double prepareSeconds);
 
 #endif

@@ -2,7 +2,10 @@
   mesoSpecular = vec3(0.0);
   vec3 radiance;
 //MESO::Lights
-  blockLights();
+#if defined(MESO_CAST_SHADOW) && !defined(MESO_SURFACE)
+  mesoFacetVC = facetOf(vertexVC.xyz, normalVCVSOutput);
+#endif
+  blockLights(vertexVC.xyz);
 //MESO::Shading
   vec3 diffuse = mesoDiffuse;
   vec3 specular = vec3(0.0);

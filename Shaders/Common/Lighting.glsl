@@ -2,6 +2,7 @@
 // bit for bit; and for each light the fraction of it that the detail blocks.
 //   MESO_SPECULAR     the material has a specular part (without one, VTK adds an exact zero)
 //   MESO_SELF_SHADOW  detail blocks light
+//   MESO_CAST_SHADOW  so does what lies beyond it (Common/ShadowMapDec)
 
 const float FarAway = 1.0e30; // of lights without a place
 
@@ -16,8 +17,12 @@ MesoLight mesoLights[MESO_LIGHT_COUNT];
 vec3 mesoDiffuse;
 vec3 mesoSpecular;
 int mesoShadowFetches;
-#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
-float mesoBlocked[MESO_LIGHT_COUNT]; // the fraction that the detail blocks
+#if defined(MESO_SELF_SHADOW) || defined(MESO_CAST_SHADOW) || defined(MESO_AOV)
+float mesoBlocked[MESO_LIGHT_COUNT]; // the fraction that does not arrive
+#endif
+#ifdef MESO_CAST_SHADOW
+vec3 mesoFacetVC; // normal of the base mesh's triangle
+float castFraction(int light, vec3 positionVC, vec3 facetVC, float below, float thickness);
 #endif
 
 // VTK's headlight is directional along the view axis.
@@ -70,14 +75,30 @@ MesoLight positionalLight(vec3 positionVC, int positional, vec3 lightDirectionVC
   return light;
 }
 
-// How much of each light the detail blocks. A loop, since the shadow search written out for each
+#ifdef MESO_CAST_SHADOW
+// The part of a light that something beyond the detail takes from a point.
+float castOn(int light, vec3 positionVC)
+{
+  mesoShadowFetches += 1;
+#if defined(MESO_SURFACE) && defined(MESO_FRAME)
+  float thickness = length(mesoFragment.PerDepth);
+  return castFraction(light, positionVC, mesoFacetVC, mesoHit.Relief * thickness, thickness);
+#else
+  return castFraction(light, positionVC, mesoFacetVC, 0.0, 0.0);
+#endif
+}
+#endif
+
+// How much of each light does not arrive. A loop, since the shadow search written out for each
 // light makes shaders that some compilers take a minute for.
-void blockLights()
+void blockLights(vec3 positionVC)
 {
   mesoShadowFetches = 0;
-#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
+#if defined(MESO_SELF_SHADOW) || defined(MESO_CAST_SHADOW) || defined(MESO_AOV)
   for (int i = 0; i < MESO_LIGHT_COUNT; ++i)
   {
+    float blocked = 0.0;
+#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV)
     float lightDistance = mesoLights[i].Distance;
 #ifdef MESO_CLIPPED
     // What is cut away casts no shadow.
@@ -85,17 +106,25 @@ void blockLights()
       clamp(keptStretch(mesoHitVC, -mesoLights[i].TravelVC).y, 0.0, lightDistance);
 #endif
     int fetches;
-    mesoBlocked[i] = blockedFraction(
+    blocked = blockedFraction(
       mesoFragment, mesoHit, -mesoLights[i].TravelVC, lightDistance, fetches);
     mesoShadowFetches += fetches;
+#endif
+#ifdef MESO_CAST_SHADOW
+    if (blocked < 1.0)
+    {
+      blocked = max(blocked, castOn(i, positionVC));
+    }
+#endif
+    mesoBlocked[i] = blocked;
   }
 #endif
 }
 
-// What is left of a light's radiance after the detail has blocked its part.
+// What is left of a light's radiance.
 vec3 unblocked(int index, vec3 radiance)
 {
-#ifdef MESO_SELF_SHADOW
+#if defined(MESO_SELF_SHADOW) || defined(MESO_CAST_SHADOW)
   return (1.0 - mesoBlocked[index]) * radiance;
 #else
   return radiance;

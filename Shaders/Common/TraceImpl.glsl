@@ -1,7 +1,17 @@
+#ifdef MESO_CASTER
+  // Light that comes in from behind an open mesh leaves the shell here: it is followed back.
+  mesoFragment = makeFragment(cameraParallel != 0, true);
+  mesoFragment.ViewVC *= gl_FrontFacing ? 1.0 : -1.0;
+#else
   mesoFragment = makeFragment(cameraParallel != 0, gl_FrontFacing);
+#endif
 #ifdef MESO_CLIPPED
   vec2 mesoKept = keptStretch(mesoFragment.PositionVC, mesoFragment.ViewVC);
   mesoFragment.RayStart = max(mesoKept.x, 0.0);
+#endif
+#ifdef MESO_CAST_SHADOW
+  // Its derivatives are undefined once a miss has discarded a fragment.
+  mesoFacetVC = facetOf(mesoFragment.PositionVC, mesoFragment.NormalVC);
 #endif
   mesoHit = traceSurface(mesoFragment);
 #ifdef MESO_NORMAL_MAP

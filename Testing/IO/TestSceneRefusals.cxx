@@ -149,8 +149,7 @@ TEST(SceneRefusals, EffectsThatTheTechniqueLacks)
 {
   EXPECT_EQ(OfNode(R"("mesh": "a.obj", "mesostructure": {"effects": ["depth"]})"),
     "s.json: nodes[0].mesostructure.effects[0]: technique plain does not provide depth (it "
-    "provides "
-    "no effects)");
+    "provides cast_shadow)");
   EXPECT_TRUE(Mentions(OfRelief(R"(, "height_map": "h", "effects": ["shadow"])"),
     "effects[0]: there is no effect \"shadow\""));
   EXPECT_TRUE(Mentions(OfRelief(R"(, "height_map": "h", "effects": "most")"),

@@ -8,6 +8,7 @@
 #include "MesoSceneBuilder.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
+#include "vtkMesoShadowMapPass.h"
 
 #include "vtkNew.h"
 #include "vtkRenderer.h"
@@ -26,9 +27,7 @@ inline MesoExrImage DrawnImage(const MesoScene& scene, int width, int height)
   {
     pass->SetObjectNumber(object.Actor, object.Number);
   }
-  renderer->SetPass(pass);
-  window->Render();
-  renderer->SetPass(nullptr);
+  vtkMesoShadowMapPass::RenderThrough(renderer, pass);
   MesoExrImage image;
   image.Width = width;
   image.Height = height;

@@ -7,6 +7,7 @@
 #include "MesoSceneBuilder.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoEGLRenderWindow.h"
+#include "vtkMesoShadowMapPass.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
@@ -59,9 +60,7 @@ public:
     {
       this->Pass->SetObjectNumber(object.Actor, object.Number);
     }
-    renderer->SetPass(this->Pass);
-    window->Render();
-    renderer->SetPass(nullptr);
+    vtkMesoShadowMapPass::RenderThrough(renderer, this->Pass);
     this->Pass->ReleaseGraphicsResources(window);
   }
 

@@ -27,7 +27,7 @@ constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap
 constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" },
   { MesoEffect::Occlusion, "occlusion" }, { MesoEffect::SelfShadow, "self_shadow" },
   { MesoEffect::Depth, "depth" }, { MesoEffect::Silhouette, "silhouette" },
-  { MesoEffect::Curvature, "curvature" } };
+  { MesoEffect::Curvature, "curvature" }, { MesoEffect::CastShadow, "cast_shadow" } };
 constexpr Entry<MesoQuadricKind> QuadricKinds[] = { { MesoQuadricKind::Full, "full" },
   { MesoQuadricKind::Diagonal, "diagonal" } };
 constexpr Entry<MesoCurvedKind> CurvedKinds[] = { { MesoCurvedKind::Quadric, "quadric" },
@@ -323,7 +323,7 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
   switch (technique)
   {
     case MesoTechnique::Plain:
-      return {};
+      return { MesoEffect::CastShadow };
     case MesoTechnique::Bump:
     case MesoTechnique::Normal:
     case MesoTechnique::NormalObject:
@@ -334,14 +334,14 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
       return { MesoEffect::Shading, MesoEffect::SelfShadow };
     case MesoTechnique::Relief:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
-        MesoEffect::Depth };
+        MesoEffect::Depth, MesoEffect::CastShadow };
     case MesoTechnique::ReliefQuadric:
     case MesoTechnique::ReliefQuadricExact:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
-        MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature };
+        MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
-        MesoEffect::Silhouette };
+        MesoEffect::Silhouette, MesoEffect::CastShadow };
     default:
       return {};
   }

@@ -88,8 +88,7 @@ MesoShaderShape MesoReliefShader::GetShape() const
   const Way way = WayOf(this->Options);
   shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl" };
   shape.Chunks.insert(shape.Chunks.end(), way.Kernels.begin(), way.Kernels.end());
-  shape.Chunks.insert(
-    shape.Chunks.end(), { "Kernels/HeightHit.glsl", "Kernels/PathCut.glsl" });
+  shape.Chunks.insert(shape.Chunks.end(), { "Kernels/HeightHit.glsl", "Kernels/PathCut.glsl" });
   const MesoSearch search = MesoSearchOf(this->Options);
   const MesoSearchSteps steps = this->Steps.value_or(MesoStepsOfQuality(this->Options.Quality));
   const int refining = search == MesoSearch::LinearSecant ? (steps.Binary + 1) / 2 : steps.Binary;
@@ -150,9 +149,8 @@ std::string MesoReliefShader::Activate(vtkOpenGLRenderWindow* window)
   {
     return this->Base.Activate(window);
   }
-  return this->UsesCones()
-    ? this->Cones.Activate(window, this->GetHeightMap(), this->Options.Wrap)
-    : std::string();
+  return this->UsesCones() ? this->Cones.Activate(window, this->GetHeightMap(), this->Options.Wrap)
+                           : std::string();
 }
 
 void MesoReliefShader::SetUniforms(vtkShaderProgram* program)

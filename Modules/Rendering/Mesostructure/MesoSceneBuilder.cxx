@@ -20,6 +20,7 @@
 #include "vtkMesoMovedMesh.h"
 #include "vtkMesoQuadricFit.h"
 #include "vtkMesoReliefMapper.h"
+#include "vtkMesoShadowMapPass.h"
 #include "vtkMesoShapeSource.h"
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkMesoTessellatedMapper.h"
@@ -33,6 +34,7 @@
 #include "vtkScalarBarActor.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -149,6 +151,7 @@ void MesoSceneBuilder::AddLight(
   vtkNew<vtkLight> target;
   target->SetColor(light.Color.data());
   target->SetIntensity(light.Intensity);
+  target->SetShadowAttenuation(light.Shadow ? 1.f : 0.f); // read by vtkMesoShadowMapPass
   if (light.Type == Kind::Headlight)
   {
     target->SetLightTypeToHeadlight();
@@ -191,6 +194,20 @@ void MesoSceneBuilder::AddLight(
     target->SetAttenuationValues(light.Attenuation.data());
   }
   renderer->AddLight(target);
+}
+
+void MesoSceneBuilder::SetShadows(
+  const std::vector<MesoSceneLight>& lights, vtkRenderer* renderer) const
+{
+  const bool anyLight = std::any_of(lights.begin(), lights.end(),
+    [](const MesoSceneLight& light)
+    { return light.Shadow && light.Type != MesoSceneLight::Kind::Headlight; });
+  vtkSmartPointer<vtkMesoShadowMapPass> shadows;
+  if (anyLight && this->Objects.size() > 1)
+  {
+    shadows = vtkSmartPointer<vtkMesoShadowMapPass>::New();
+  }
+  renderer->SetPass(shadows);
 }
 
 MesoHeights MesoSceneBuilder::MakeHeights(const MesoSceneMap& map, const std::string& place)
@@ -315,7 +332,7 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
   const Object& object, const std::optional<MesoSceneColorBy>& colorBy, const std::string& place)
 {
   const MesoEffects effects = MesoEffectsOn(object.Options);
-  if (effects.Empty())
+  if (effects.Without({ MesoEffect::CastShadow }).Empty())
   {
     return object.Base;
   }
@@ -537,4 +554,5 @@ void MesoSceneBuilder::Build(const MesoScene& scene, vtkRenderer* renderer)
     this->AddNode(scene, scene.Nodes[i], "nodes[" + std::to_string(i) + "]", identity, renderer);
   }
   this->SetCamera(scene.Camera, renderer);
+  this->SetShadows(scene.Lights, renderer);
 }

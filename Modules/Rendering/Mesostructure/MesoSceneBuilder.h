@@ -24,6 +24,9 @@ class vtkRenderer;
  * an actor whose mapper draws the node's technique. Throws MesoInputError where a file cannot be
  * used; the renderer may then hold a part of the scene.
  *
+ * Where a light casts shadows and there are two objects or more, the renderer gets a
+ * vtkMesoShadowMapPass as its pass, else none.
+ *
  * Colour maps are read in map coordinates, as the height map is: both repeat with `tiles`.
  */
 class MESORENDERINGMESOSTRUCTURE_EXPORT MesoSceneBuilder
@@ -58,6 +61,7 @@ private:
   void AddScalars(const MesoSceneMaterial& material, const Object& object,
     const std::string& inScene, vtkRenderer* renderer);
   void SetCamera(const MesoSceneCamera& camera, vtkRenderer* renderer);
+  void SetShadows(const std::vector<MesoSceneLight>& lights, vtkRenderer* renderer) const;
   MesoHeights MakeHeights(const MesoSceneMap& map, const std::string& place);
   vtkSmartPointer<vtkPolyData> MakeMesh(
     const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);

@@ -48,6 +48,8 @@ void MesoShaderBuild::Define(const MesoShaderShape& shape)
   };
   define("MESO_SURFACE", this->Surface);
   define("MESO_AOV", this->Numbers && this->Surface);
+  define("MESO_CAST_SHADOW", this->TakesShadows);
+  define("MESO_CASTER", this->Caster);
   define("MESO_HEIGHT_COLORS", this->HeightColored);
   define("MESO_CLIPPED", this->Clipped);
   define("MESO_DIFFERENTIAL", this->UsesDifferential());
@@ -68,6 +70,7 @@ void MesoShaderBuild::Define(const MesoShaderShape& shape)
     define("MESO_FRAME", shape.UsesFrame);
     define("MESO_DISPLACED", shape.Displaced);
     defines.insert(defines.end(), shape.Defines.begin(), shape.Defines.end());
+    define("MESO_OCCLUSION", this->Caster); // the light sees the detail in any case
   }
   this->Definitions = MesoShaderAssembler::DefineLines(defines);
 }
@@ -150,11 +153,18 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
   {
     Before(fragment, declarations, "Common/Lighting.glsl");
   }
-  if (this->Traces && this->Lit)
+  if (this->Traces && this->Lit && !this->Caster)
   {
     fragment.After(
       "//VTK::Normal::Impl", "Common/NormalImpl.glsl", MesoShaderText("Common/NormalImpl.glsl"));
   }
+}
+
+void MesoShaderBuild::ShowDetailToVTKShadows(MesoShaderAssembler& fragment)
+{
+  // VTK 9.1 to 9.5, vtkShadowMapBakerPass::PreReplaceShaderValues: these two lines, byte by byte.
+  fragment.Rename("float ldepth =  gl_FragCoord.z;", "float ldepth = depthOf(mesoHitVC);", 1);
+  fragment.Rename("ldepth =  (1.0/gl_FragCoord.w - nearZ)", "ldepth = (-mesoHitVC.z - nearZ)", 1);
 }
 
 void MesoShaderBuild::AddLighting(

@@ -19,12 +19,14 @@ struct MesoShaderBuild
   bool Surface = false;       ///< the contract of Shaders/Common/Surface.glsl is in the shader
   bool Traces = false;        ///< the technique looks for a surface other than the base mesh
   bool WritesDepth = false;   ///< the depth buffer is that of the detail
+  bool Caster = false;        ///< a shadow map is drawn: no lighting
   bool Lit = false;           ///< VTK's normal and position are in the shader
   bool OwnLighting = false;   ///< Shaders/Common/Lighting.glsl in place of VTK's
   bool Textured = false;      ///< colour textures are read where the ray hit
   bool HeightColored = false; ///< the colour is that of the height where the ray hit
   bool Contoured = false;     ///< contour lines of the height are drawn where the ray hit
   bool Clipped = false;       ///< clipping planes cut what the rays hit
+  bool TakesShadows = false;  ///< other objects' shadows are looked up
   bool Numbers = false;       ///< every pixel's hit is written out as numbers
   bool Specular = false;      ///< the material has a highlight
   bool TextureMoved = false;  ///< the actor carries a texture transform
@@ -46,6 +48,9 @@ struct MesoShaderBuild
   void SpliceVertexShader(MesoShaderAssembler& vertex) const;
   void SpliceGeometryShader(MesoShaderAssembler& geometry) const;
   void SpliceFragmentShader(MesoShaderAssembler& fragment) const;
+
+  /// Let VTK's shadow map passes store the depth of the detail instead of the triangle's.
+  static void ShowDetailToVTKShadows(MesoShaderAssembler& fragment);
 
   /// Put the lighting in place of VTK's. `lightUniforms` declares VTK's uniforms of the lights.
   void AddLighting(MesoShaderAssembler& fragment, const std::string& lightUniforms) const;

@@ -155,7 +155,7 @@ void vtkMesoPicker::TakeNumbers(vtkMesoPolyDataMapper* mapper, int column, int r
   {
     return;
   }
-  this->HasMap = !mapper->GetEffectsDrawn().Empty();
+  this->HasMap = !mapper->GetEffectsDrawn().Without({ MesoEffect::CastShadow }).Empty();
   if (this->HasMap)
   {
     this->MapCoordinate[0] = value("texcoord.u");

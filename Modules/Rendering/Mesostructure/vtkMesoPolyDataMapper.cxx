@@ -3,6 +3,7 @@
 #include "vtkMesoPolyDataMapper.h"
 
 #include "MesoActorPasses.h"
+#include "MesoClosedMesh.h"
 #include "MesoHeightColors.h"
 #include "MesoHitTextures.h"
 #include "MesoNormalMapTexture.h"
@@ -19,10 +20,13 @@
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkMesoAOVPass.h"
+#include "vtkMesoShadowCasterPass.h"
+#include "vtkMesoShadowMapPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
@@ -88,6 +92,7 @@ void vtkMesoPolyDataMapper::SetOptions(const MesoMesostructureOptions& options)
     }
   }
   this->Options = options;
+  this->OptionsTime.Modified();
   this->OptionsChanged();
 }
 
@@ -197,14 +202,17 @@ vtkImageData* vtkMesoPolyDataMapper::GetNormalMap() const
 MesoShaderShape vtkMesoPolyDataMapper::Shape()
 {
   MesoShaderShape shape = this->GetTechnique()->GetShape();
-  const MesoEffects effects = this->Options.Effects.Auto
-    ? MesoEffectsOfTechnique(this->TechniqueOf(this->Options))
-    : this->Options.Effects.Named;
-  if (shape.Traces && this->GetNormalMap() && effects.Has(MesoEffect::Shading))
+  if (shape.Traces && this->GetNormalMap() && this->EffectsChosen().Has(MesoEffect::Shading))
   {
     this->NormalMap->AddTo(shape);
   }
   return shape;
+}
+
+MesoEffects vtkMesoPolyDataMapper::EffectsChosen() const
+{
+  return this->Options.Effects.Auto ? MesoEffectsOfTechnique(this->TechniqueOf(this->Options))
+                                    : this->Options.Effects.Named;
 }
 
 MesoTechniqueShader* vtkMesoPolyDataMapper::GetTechnique()
@@ -221,15 +229,11 @@ void vtkMesoPolyDataMapper::WarnOnce(const std::string& reason)
   }
 }
 
-std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape, vtkActor* actor)
+std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape)
 {
   if (!shape.Traces)
   {
     return {};
-  }
-  if (MesoInPass<vtkShadowMapBakerPass>(actor))
-  {
-    return "Shadow map passes do not see the displaced surface yet: the base mesh is drawn.";
   }
   const std::string missing = MesoVertexAttributes::Missing(this->CurrentInput, shape);
   if (!missing.empty())
@@ -245,7 +249,7 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
 {
   MesoTechniqueShader* technique = this->GetTechnique();
   const MesoShaderShape shape = this->Shape();
-  this->WhyPlain = this->WhyNot(shape, actor);
+  this->WhyPlain = this->WhyNot(shape);
   if (this->WhyPlain.empty())
   {
     this->WhyPlain =
@@ -268,8 +272,10 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   }
   this->EffectsDrawn = !this->WhyPlain.empty() || !(shape.Traces || shape.Displaced)
     ? MesoEffects()
-    : (this->Options.Effects.Auto ? MesoEffectsOfTechnique(this->TechniqueOf(this->Options))
-                                  : this->Options.Effects.Named);
+    : this->EffectsChosen();
+  const bool takesShadows = this->CastsShadow() && MesoInPass<vtkMesoShadowMapPass>(actor);
+  this->EffectsDrawn.Set(MesoEffect::CastShadow, takesShadows);
+  const bool caster = MesoInPass<vtkMesoShadowCasterPass>(actor);
   const std::string uncolored =
     this->HeightColors->Activate(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   this->HeightColorsReady = this->HeightColors->GetTable() && uncolored.empty();
@@ -277,8 +283,9 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->WarnOnce(uncolored);
   }
+  // The same in all passes of a frame with shadows, so that none undoes another's.
   if (shape.Traces || MesoInPass<vtkMesoAOVPass>(actor) || this->HeightColorsReady ||
-    this->DrawsContours(shape))
+    this->DrawsContours(shape) || takesShadows || caster)
   {
     this->Attributes->Map(this, this->CurrentInput, shape);
   }
@@ -287,11 +294,45 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
     this->Attributes->Clear(this);
   }
   this->Superclass::RenderPieceStart(renderer, actor);
+  if (caster)
+  {
+    this->SetCulling(renderer);
+  }
+}
+
+void vtkMesoPolyDataMapper::SetCulling(vtkRenderer* renderer)
+{
+  vtkOpenGLState* state =
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  if (this->ClosedMesh != this->CurrentInput ||
+    this->ClosedTime < this->CurrentInput->GetMeshMTime())
+  {
+    this->ClosedMesh = this->CurrentInput;
+    this->Closed = MesoIsClosed(this->CurrentInput);
+    this->ClosedTime.Modified();
+  }
+  // Of a traced surface that is closed, what is seen from behind lies behind what is seen from
+  // before; a ray that misses the front has passed it by.
+  if (this->Closed && this->WhyPlain.empty() && this->GetTechnique()->GetShape().Traces)
+  {
+    state->vtkglCullFace(GL_BACK);
+    state->vtkglEnable(GL_CULL_FACE);
+  }
+  else
+  {
+    state->vtkglDisable(GL_CULL_FACE);
+  }
 }
 
 void vtkMesoPolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::RenderPieceFinish(renderer, actor);
+  if (MesoInPass<vtkMesoShadowCasterPass>(actor))
+  {
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+      ->GetState()
+      ->vtkglDisable(GL_CULL_FACE);
+  }
   this->GetTechnique()->Deactivate();
   this->NormalMap->Deactivate();
   this->HeightColors->Deactivate();
@@ -314,7 +355,9 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.LightCount = info.LastLightCount;
   build.Lit = info.LastLightComplexity > 0;
   const bool aov = MesoInPass<vtkMesoAOVPass>(actor);
-  build.OwnLighting = build.LightComplexity > 0 &&
+  build.Caster = MesoInPass<vtkMesoShadowCasterPass>(actor);
+  const bool takesShadows = this->CastsShadow() && MesoInPass<vtkMesoShadowMapPass>(actor);
+  build.OwnLighting = build.LightComplexity > 0 && !build.Caster &&
     actor->GetProperty()->GetInterpolation() != VTK_PBR && !MesoInLightingMap(actor);
 
   vtkPointData* points = this->CurrentInput->GetPointData();
@@ -322,15 +365,16 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
     cellBO.PrimitiveType == PrimitiveTris || cellBO.PrimitiveType == PrimitiveTriStrips;
   const MesoShaderShape shape = this->WhyPlain.empty() ? this->Shape() : this->Plain->GetShape();
   build.Surface = triangles && !this->PointPicking &&
-    (shape.Traces || aov || this->HeightColorsReady || this->DrawsContours(shape)) &&
+    (shape.Traces || aov || this->HeightColorsReady || this->DrawsContours(shape) ||
+      takesShadows) &&
     points->GetNormals() && (points->GetTCoords() || !shape.Traces);
-  build.HeightColored = build.Surface && this->HeightColorsReady;
-  build.Contoured = build.Surface && this->DrawsContours(shape);
+  build.HeightColored = build.Surface && this->HeightColorsReady && !build.Caster;
+  build.Contoured = build.Surface && this->DrawsContours(shape) && !build.Caster;
   build.ContourHeights = static_cast<int>(this->ContourLines.Heights.size());
   build.Traces = build.Surface && shape.Traces;
   build.Clipped = build.Traces && this->GetNumberOfClippingPlanes() > 0;
-  build.WritesDepth = build.Traces && shape.WritesDepth;
-  build.Textured = build.Traces && this->HaveTCoords(this->CurrentInput) &&
+  build.WritesDepth = build.Traces && (shape.WritesDepth || build.Caster);
+  build.Textured = !build.Caster && build.Traces && this->HaveTCoords(this->CurrentInput) &&
     MesoHasColorTextures(this->GetTextures(actor));
 
   const bool scalarsAtVertices = this->VBOs->GetNumberOfComponents("scalarColor") != 0;
@@ -339,6 +383,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.Scalars = build.Traces && !build.HeightColored && !this->DrawingVertices &&
     (scalarsAtVertices || build.ScalarTexture);
   build.Numbers = aov;
+  build.TakesShadows = takesShadows && build.OwnLighting;
   build.Specular = actor->GetProperty()->GetSpecular() != 0.0;
   vtkInformation* keys = actor->GetPropertyKeys();
   build.TextureMoved = keys && keys->Has(vtkProp::GeneralTextureTransform());
@@ -407,6 +452,13 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
     shaders[vtkShader::Fragment]->SetSource(atHit.GetText());
     this->Report(atHit);
   }
+  if (build.WritesDepth && MesoInPass<vtkShadowMapBakerPass>(actor))
+  {
+    MesoShaderAssembler baked("fragment shader", shaders[vtkShader::Fragment]->GetSource());
+    MesoShaderBuild::ShowDetailToVTKShadows(baked);
+    shaders[vtkShader::Fragment]->SetSource(baked.GetText());
+    this->Report(baked);
+  }
   this->Report(vertex);
   this->Report(geometry);
   this->Report(fragment);
@@ -419,6 +471,10 @@ void vtkMesoPolyDataMapper::ReplaceShaderLight(
   Shaders shaders, vtkRenderer* renderer, vtkActor* actor)
 {
   const MesoShaderBuild build = this->DescribeBuild(*this->LastBoundBO, actor);
+  if (build.Caster)
+  {
+    return;
+  }
   if (!build.OwnLighting)
   {
     this->Superclass::ReplaceShaderLight(shaders, renderer, actor);

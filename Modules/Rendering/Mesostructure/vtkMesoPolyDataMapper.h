@@ -19,17 +19,16 @@
  * (3) and MesoTileScale (2), normals and texture coordinates (vtkMesoSurfaceFrames makes them).
  * Where they are missing the base mesh is drawn and one warning says what to add.
  *
- * VTK's shadow map passes store the depth of the base mesh, in whose shadow inward relief would
- * lie: they are refused with a warning and the base mesh is drawn. Seen from behind, where back faces
- * are not culled, the base mesh is drawn. A mirrored matrix turns front and back, as for any VTK
- * actor. Physically based materials are
- * lit by VTK, without self-shadow. Clipping planes, at most six, cut the surface that is drawn, not the
- * base mesh.
+ * Shadows between actors are vtkMesoShadowMapPass's. VTK's own shadow map passes see the displaced
+ * surface as well. Seen from behind, where back faces are not culled, the base mesh is drawn. A
+ * mirrored matrix turns front and back, as for any VTK actor. Physically based materials are lit by
+ * VTK, without self-shadow. Clipping planes, at most six, cut the surface that is drawn, not the base
+ * mesh.
  *
  * The environment variable MESO_DUMP_SHADERS names a folder to which each shader that is built is
  * written.
  *
- * @sa vtkMesoReliefMapper, vtkMesoAOVPass
+ * @sa vtkMesoReliefMapper, vtkMesoAOVPass, vtkMesoShadowMapPass
  */
 
 #ifndef vtkMesoPolyDataMapper_h
@@ -126,6 +125,10 @@ public:
   void SetNormalMap(vtkImageData* map, const MesoNormalMapMeaning& meaning = {});
   vtkImageData* GetNormalMap() const;
   ///@}
+  /// Whether its actors cast and take shadows in vtkMesoShadowMapPass: the effect `cast_shadow` is on.
+  bool CastsShadow() const { return this->EffectsChosen().Has(MesoEffect::CastShadow); }
+  /// When what the options and maps show last changed, where that does not build anything anew.
+  virtual vtkMTimeType GetDetailMTime() { return this->OptionsTime; }
 
   /// The effects that the shader of the last frame had compiled in.
   MesoEffects GetEffectsDrawn() const { return this->EffectsDrawn; }
@@ -174,15 +177,22 @@ private:
 
   /// The technique's, with the normal map's part.
   MesoShaderShape Shape();
+  MesoEffects EffectsChosen() const;
   MesoShaderBuild DescribeBuild(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  /// Back faces of open meshes are drawn into shadow maps, where light comes in from behind.
+  void SetCulling(vtkRenderer* renderer);
 
-  /// Why the technique cannot be drawn on the input or in these passes; empty when it can.
-  std::string WhyNot(const MesoShaderShape& shape, vtkActor* actor);
+  /// Why the technique cannot be drawn on the input; empty when it can.
+  std::string WhyNot(const MesoShaderShape& shape);
   bool DrawsContours(const MesoShaderShape& shape) const;
   void Report(const MesoShaderAssembler& assembler);
   void WarnOnce(const std::string& reason);
 
   MesoMesostructureOptions Options;
+  vtkTimeStamp OptionsTime;
+  vtkTimeStamp ClosedTime;
+  vtkPolyData* ClosedMesh = nullptr; ///< the mesh that Closed tells of; never looked into
+  bool Closed = false;
   std::unique_ptr<MesoTechniqueShader> Plain;
   std::string WhyPlain; ///< why the technique cannot be drawn in this frame
   std::string LastWarning;

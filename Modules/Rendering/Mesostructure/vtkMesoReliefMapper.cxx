@@ -82,6 +82,12 @@ std::string vtkMesoReliefMapper::Prepare()
   return this->Relief->Prepare();
 }
 
+vtkMTimeType vtkMesoReliefMapper::GetDetailMTime()
+{
+  vtkImageData* heights = this->GetHeightMap();
+  return std::max(this->Superclass::GetDetailMTime(), heights ? heights->GetMTime() : 0);
+}
+
 MesoTechniqueShader* vtkMesoReliefMapper::GetTechnique()
 {
   return this->Relief.get();

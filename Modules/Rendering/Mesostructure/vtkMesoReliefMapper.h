@@ -56,6 +56,7 @@ public:
   /// The height map; without one the base mesh is drawn.
   void SetHeightMap(vtkImageData* heights);
   vtkImageData* GetHeightMap();
+  vtkMTimeType GetDetailMTime() override;
   ///@}
 
   /// Draw as another mapper does; the height map and the image of the base are shared.

@@ -117,6 +117,9 @@ struct MesoReference::Implementation
     std::vector<double>& blocked, MesoTraceWork& work) const;
   void FindBlocked(const Sample& sample, const glm::dvec3& place, std::vector<double>& blocked,
     MesoTraceWork& work) const;
+  /// Of the shadows on a plain node those that its techniques show: none where it is alone, and where
+  /// it turns away from a light the shading normal decides.
+  std::vector<double> CastOn(const Sample& sample, const std::vector<double>& blocked) const;
   void Fill(const Sample& sample, const std::vector<double>& blocked, float* values) const;
 };
 
@@ -197,6 +200,23 @@ void MesoReference::Implementation::FindBlocked(const Sample& sample, const glm:
   }
 }
 
+std::vector<double> MesoReference::Implementation::CastOn(
+  const Sample& sample, const std::vector<double>& blocked) const
+{
+  std::vector<double> cast = blocked;
+  for (std::size_t i = 0; i < cast.size(); ++i)
+  {
+    double distance = 0.;
+    const glm::dvec3 towards = this->Lights[i].Towards(sample.Place, distance);
+    if (this->Surfaces.size() < 2 || !this->Lights[i].CastsBetweenObjects ||
+      !(glm::dot(sample.Point.Geometric, towards) > 0.))
+    {
+      cast[i] = 0.;
+    }
+  }
+  return cast;
+}
+
 glm::dvec3 MesoReference::Implementation::Bounced(const Sample& sample, int bounces,
   const glm::dvec2& first, MesoRandom random, std::vector<double>& blocked,
   MesoTraceWork& work) const
@@ -254,10 +274,10 @@ MesoReference::Implementation::Sample MesoReference::Implementation::Look(double
 
   // To the camera's position, as VTK takes it, in parallel projection as well.
   const glm::dvec3 eye = glm::normalize(this->Camera.Position - place);
-  const std::vector<double> none(blocked.size(), 0.);
-  const bool shadowed = shadowsOnPlain || surface.IsDisplaced();
-  sample.Color = this->Materials[sample.At.Object].Shade(this->Lights, shadowed ? blocked : none,
-    place, sample.Point.Shading, eye, sample.Point.MapCoord);
+  const bool all = shadowsOnPlain || surface.IsDisplaced();
+  sample.Color = this->Materials[sample.At.Object].Shade(this->Lights,
+    all ? blocked : this->CastOn(sample, blocked), place, sample.Point.Shading, eye,
+    sample.Point.MapCoord);
 
   ray.TMax = sample.At.T + 1e-9 * std::abs(sample.At.T);
   sample.MeetsBase = !sample.At.Behind &&

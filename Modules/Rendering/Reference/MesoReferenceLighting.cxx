@@ -62,7 +62,7 @@ MesoReferenceLight::MesoReferenceLight(
   : Headlight(light.Type == MesoSceneLight::Kind::Headlight)
   , Positional(
       light.Type == MesoSceneLight::Kind::Point || light.Type == MesoSceneLight::Kind::Spot)
-  , CastsBetweenObjects(light.Shadow)
+  , CastsBetweenObjects(light.Shadow && light.Type != MesoSceneLight::Kind::Headlight)
   , Position(ToVector(light.Position))
   , Attenuation(ToVector(light.Attenuation))
   , ConeAngle(light.Type == MesoSceneLight::Kind::Spot ? light.ConeAngle : 90.)

@@ -54,7 +54,7 @@ struct MesoReferenceLight
 
   bool Headlight;
   bool Positional;
-  bool CastsBetweenObjects; ///< the scene's `shadow`
+  bool CastsBetweenObjects; ///< the scene's `shadow`; headlights never do
   glm::dvec3 Position;
   glm::dvec3 Travel; ///< unit: the way the light, or the cone's axis, goes
   glm::dvec3 Attenuation;
