@@ -317,7 +317,7 @@ TEST(SceneRefusals, ColorBy)
       "lookup_table.nme: unknown key (did you mean name?)" },
     { R"("color_by": "A", "lookup_table": {"name": "viridris"})",
       "lookup_table.name: there is no lookup table \"viridris\" (did you mean viridis? choices: "
-      "viridis, coolwarm, grey)" },
+      "viridis, coolwarm, grey, terrain)" },
     { R"("color_by": "A", "lookup_table": {"range": [1, 1]})",
       "lookup_table.range: the first number must be less than the second" },
     { R"("color_by": "A", "lookup_table": {"range": [1]})", "range: must be a list of 2, has 1" },

@@ -4,7 +4,12 @@
 #include "MesoAOVChecks.h"
 #include "MesoBaseline.h"
 
+#include "MesoImageFile.h"
 #include "MesoSceneBuilder.h"
+#include "vtkMesoNormalMap.h"
+#include "vtkMesoPatternSource.h"
+
+#include "vtkPointData.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -91,4 +96,42 @@ TEST_F(SceneBuilder, FlatReliefIsSaid)
   ASSERT_EQ(this->Builder.GetWarnings().size(), 1u);
   EXPECT_EQ(this->Builder.GetWarnings()[0],
     "test.json: nodes[0].mesostructure: scale is 0, so the relief is flat");
+}
+
+TEST_F(SceneBuilder, NormalMapsThatContradictTheHeightsAreSaid)
+{
+  vtkNew<vtkMesoPatternSource> pattern;
+  pattern->SetPattern("smooth");
+  pattern->SetSize(32, 32);
+  vtkNew<vtkMesoNormalMap> normals;
+  normals->SetInputConnection(pattern->GetOutputPort());
+  normals->Update();
+  const auto file =
+    std::filesystem::temp_directory_path() / ("meso-normals-" + std::to_string(getpid()) + ".png");
+  std::vector<float> values;
+  vtkDataArray* tuples = normals->GetOutput()->GetPointData()->GetScalars();
+  for (int row = 31; row >= 0; --row)
+  {
+    for (int i = 0; i < 32 * 3; ++i)
+    {
+      const double component = tuples->GetComponent(row * 32 + i / 3, i % 3);
+      values.push_back(static_cast<float>(0.5 * component + 0.5));
+    }
+  }
+  MesoWriteImage(file.string(), 32, 32, 3, MesoImageHeader::Type::UnsignedShort, values.data());
+  const auto warnings = [&](const std::string& kind, const std::string& y)
+  {
+    this->Scene.Renderer->RemoveAllViewProps();
+    this->Capture(R"({"mesh": {"shape": "plane"}, "material": {"normal_map": ")" + file.string() +
+      R"(", "normal_map_y": ")" + y + R"("}, "mesostructure": {"technique": "relief",
+        "scale": 0.05, ")" +
+      kind + R"(": {"pattern": "smooth", "size": [32, 32]}}})");
+    return this->Builder.GetWarnings();
+  };
+  EXPECT_TRUE(warnings("height_map", "up").empty());
+  EXPECT_TRUE(warnings("height_map", "down").empty()) << "u and v say different things";
+  EXPECT_EQ(warnings("depth_map", "up"),
+    std::vector<std::string>{ "test.json: nodes[0].mesostructure: the material's normal map says "
+                              "that this is a height_map, not a depth_map" });
+  std::filesystem::remove(file);
 }

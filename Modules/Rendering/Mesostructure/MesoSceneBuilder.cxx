@@ -4,6 +4,7 @@
 #include "MesoBumpMaps.h"
 #include "MesoHeightMap.h"
 #include "MesoMapInput.h"
+#include "MesoPolarity.h"
 #include "MesoScalarBar.h"
 #include "MesoSurfaceColors.h"
 #include "vtkActor.h"
@@ -111,6 +112,22 @@ vtkSmartPointer<vtkPolyData> Turned(vtkPolyData* mesh)
   turn->ReverseNormalsOff();
   turn->Update();
   return turn->GetOutput();
+}
+
+/// Warns where a normal map says that the heights beside it are upside down.
+void CheckPolarity(const MesoSceneMap& map, vtkImageData* heights, const MesoNormals& normals,
+  const std::string& inScene, std::vector<std::string>& warnings)
+{
+  if (normals.Meaning.Space != MesoNormalSpace::Tangent)
+  {
+    return;
+  }
+  const MesoPolarity polarity = MesoComparePolarity(heights, normals.Image);
+  if (polarity.Says(!normals.Meaning.Down) == MesoPolarity::Reading::Depth)
+  {
+    warnings.push_back(inScene + ".mesostructure: the material's normal map says that this is a " +
+      (map.IsDepth ? "height_map, not a depth_map" : "depth_map, not a height_map"));
+  }
 }
 
 std::array<double, 16> Multiply(
@@ -443,6 +460,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       normals = MesoReadNormalMap(node.Material, inMaterial, this->Warnings);
       object.NormalMap = normals.Image;
       object.NormalMeaning = normals.Meaning;
+      if (node.Map)
+      {
+        CheckPolarity(*node.Map, object.HeightMap, normals, inScene, this->Warnings);
+      }
     }
     if (MesoUsesHeightMap(technique) && object.HeightMap && node.Mesostructure.Scale == 0.)
     {
