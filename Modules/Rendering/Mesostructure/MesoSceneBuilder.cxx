@@ -6,12 +6,11 @@
 #include "MesoMapInput.h"
 #include "MesoPolarity.h"
 #include "MesoScalarBar.h"
+#include "MesoSceneLights.h"
 #include "MesoSurfaceColors.h"
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMesoBaseImage.h"
 #include "vtkMesoBumpMapper.h"
@@ -137,80 +136,6 @@ std::array<double, 16> Multiply(
   vtkMatrix4x4::Multiply4x4(left.data(), right.data(), product.data());
   return product;
 }
-}
-
-void MesoSceneBuilder::SetCamera(const MesoSceneCamera& camera, vtkRenderer* renderer)
-{
-  vtkCamera* target = renderer->GetActiveCamera();
-  target->SetPosition(camera.Position.data());
-  target->SetFocalPoint(camera.FocalPoint.data());
-  target->SetViewUp(camera.ViewUp.data());
-  target->SetViewAngle(camera.ViewAngle);
-  target->SetParallelProjection(camera.ParallelScale.has_value());
-  if (camera.ParallelScale)
-  {
-    target->SetParallelScale(*camera.ParallelScale);
-  }
-  if (camera.ClippingRange)
-  {
-    target->SetClippingRange(camera.ClippingRange->data());
-  }
-  else
-  {
-    renderer->ResetCameraClippingRange();
-  }
-}
-
-void MesoSceneBuilder::AddLight(
-  const MesoSceneLight& light, const MesoSceneCamera& camera, vtkRenderer* renderer)
-{
-  using Kind = MesoSceneLight::Kind;
-  vtkNew<vtkLight> target;
-  target->SetColor(light.Color.data());
-  target->SetIntensity(light.Intensity);
-  target->SetShadowAttenuation(light.Shadow ? 1.f : 0.f); // read by vtkMesoShadowMapPass
-  if (light.Type == Kind::Headlight)
-  {
-    target->SetLightTypeToHeadlight();
-    renderer->AddLight(target);
-    return;
-  }
-  MesoVector3 position = light.Position;
-  MesoVector3 focalPoint = light.FocalPoint;
-  if (light.Type == Kind::Directional)
-  {
-    position = { -light.Direction[0], -light.Direction[1], -light.Direction[2] };
-    focalPoint = { 0., 0., 0. };
-  }
-  target->SetLightTypeToSceneLight();
-  if (light.InCameraCoordinates)
-  {
-    // VTK's camera lights live in a space with the camera at (0,0,1) and the focal point at 0.
-    target->SetLightTypeToCameraLight();
-    if (light.Type != Kind::Directional)
-    {
-      double distance = 0.;
-      for (int i = 0; i < 3; ++i)
-      {
-        distance += std::pow(camera.FocalPoint[i] - camera.Position[i], 2);
-      }
-      distance = std::sqrt(distance);
-      for (MesoVector3* point : { &position, &focalPoint })
-      {
-        *point = { (*point)[0] / distance, (*point)[1] / distance, (*point)[2] / distance + 1. };
-      }
-    }
-  }
-  target->SetPosition(position.data());
-  target->SetFocalPoint(focalPoint.data());
-  if (light.Type != Kind::Directional)
-  {
-    target->PositionalOn();
-    target->SetConeAngle(light.Type == Kind::Spot ? light.ConeAngle : 90.);
-    target->SetExponent(light.Exponent);
-    target->SetAttenuationValues(light.Attenuation.data());
-  }
-  renderer->AddLight(target);
 }
 
 void MesoSceneBuilder::SetShadows(
@@ -411,6 +336,79 @@ void MesoSceneBuilder::AddScalars(const MesoSceneMaterial& material, const Objec
   }
 }
 
+MesoNormals MesoSceneBuilder::ReadNormals(
+  const MesoSceneNode& node, Object& object, const std::string& inScene)
+{
+  MesoNormals normals;
+  if (!node.Material.NormalMap.empty() &&
+    MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Shading))
+  {
+    const std::string inMaterial = inScene + ".material.normal_map";
+    if (node.Mesostructure.Technique == MesoTechnique::Tessellated)
+    {
+      throw MesoInputError(
+        inMaterial + ": technique tessellated shows the normals of the diced mesh, and no others");
+    }
+    normals = MesoReadNormalMap(node.Material, inMaterial, this->Warnings);
+    object.NormalMap = normals.Image;
+    object.NormalMeaning = normals.Meaning;
+    if (node.Map)
+    {
+      CheckPolarity(*node.Map, object.HeightMap, normals, inScene, this->Warnings);
+    }
+  }
+  return normals;
+}
+
+void MesoSceneBuilder::MakeMapper(
+  Object& object, const MesoNormals& normals, const std::string& inScene)
+{
+  if (object.Options.Technique == MesoTechnique::Relief ||
+    MesoBendsRelief(object.Options.Technique))
+  {
+    if (object.Options.Reference != 1. && !MesoEffectsOn(object.Options).Empty())
+    {
+      object.Mesh = this->Moved(object, inScene + ".mesh");
+    }
+    if (MesoEffectsOn(object.Options).Has(MesoEffect::Curvature))
+    {
+      object.Mesh = this->WithQuadrics(object.Mesh, object.Options.Quadric, inScene + ".mesh");
+    }
+    vtkNew<vtkMesoReliefMapper> relief;
+    relief->SetHeightMap(object.HeightMap);
+    if (MesoNeedsBaseImage(object.Options))
+    {
+      relief->SetBaseImage(this->MakeBaseImage(object.Mesh, inScene + ".mesh"));
+    }
+    object.Mapper = relief;
+  }
+  else if (object.Options.Technique == MesoTechnique::Bump ||
+    object.Options.Technique == MesoTechnique::Normal ||
+    object.Options.Technique == MesoTechnique::NormalObject ||
+    object.Options.Technique == MesoTechnique::Parallax ||
+    object.Options.Technique == MesoTechnique::Horizon)
+  {
+    if (object.Options.Technique == MesoTechnique::Parallax && object.Options.Reference != 1. &&
+      MesoEffectsOn(object.Options).Has(MesoEffect::Occlusion))
+    {
+      object.Mesh = this->Moved(object, inScene + ".mesh");
+    }
+    vtkNew<vtkMesoBumpMapper> bump;
+    bump->SetOptions(object.Options);
+    MesoSetBumpMaps(
+      bump, object.HeightMap, object.Mesh, normals, inScene + ".mesostructure", this->Warnings);
+    object.Mapper = bump;
+  }
+  else if (object.Options.Technique == MesoTechnique::Tessellated)
+  {
+    object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
+  }
+  else
+  {
+    object.Mapper = vtkSmartPointer<vtkMesoPolyDataMapper>::New();
+  }
+}
+
 void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node,
   const std::string& place, const std::array<double, 16>& parentMatrix, vtkRenderer* renderer)
 {
@@ -447,70 +445,12 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     }
     object.Mesh = object.Base;
     const MesoTechnique technique = node.Mesostructure.Technique;
-    MesoNormals normals;
-    if (!node.Material.NormalMap.empty() &&
-      MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Shading))
-    {
-      const std::string inMaterial = inScene + ".material.normal_map";
-      if (technique == MesoTechnique::Tessellated)
-      {
-        throw MesoInputError(inMaterial +
-          ": technique tessellated shows the normals of the diced mesh, and no others");
-      }
-      normals = MesoReadNormalMap(node.Material, inMaterial, this->Warnings);
-      object.NormalMap = normals.Image;
-      object.NormalMeaning = normals.Meaning;
-      if (node.Map)
-      {
-        CheckPolarity(*node.Map, object.HeightMap, normals, inScene, this->Warnings);
-      }
-    }
+    const MesoNormals normals = this->ReadNormals(node, object, inScene);
     if (MesoUsesHeightMap(technique) && object.HeightMap && node.Mesostructure.Scale == 0.)
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
-    if (technique == MesoTechnique::Relief || MesoBendsRelief(technique))
-    {
-      if (node.Mesostructure.Reference != 1. && !MesoEffectsOn(node.Mesostructure).Empty())
-      {
-        object.Mesh = this->Moved(object, inScene + ".mesh");
-      }
-      if (MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Curvature))
-      {
-        object.Mesh =
-          this->WithQuadrics(object.Mesh, node.Mesostructure.Quadric, inScene + ".mesh");
-      }
-      vtkNew<vtkMesoReliefMapper> relief;
-      relief->SetHeightMap(object.HeightMap);
-      if (MesoNeedsBaseImage(node.Mesostructure))
-      {
-        relief->SetBaseImage(this->MakeBaseImage(object.Mesh, inScene + ".mesh"));
-      }
-      object.Mapper = relief;
-    }
-    else if (technique == MesoTechnique::Bump || technique == MesoTechnique::Normal ||
-      technique == MesoTechnique::NormalObject || technique == MesoTechnique::Parallax ||
-      technique == MesoTechnique::Horizon)
-    {
-      if (technique == MesoTechnique::Parallax && node.Mesostructure.Reference != 1. &&
-        MesoEffectsOn(node.Mesostructure).Has(MesoEffect::Occlusion))
-      {
-        object.Mesh = this->Moved(object, inScene + ".mesh");
-      }
-      vtkNew<vtkMesoBumpMapper> bump;
-      bump->SetOptions(node.Mesostructure);
-      MesoSetBumpMaps(
-        bump, object.HeightMap, object.Mesh, normals, inScene + ".mesostructure", this->Warnings);
-      object.Mapper = bump;
-    }
-    else if (technique == MesoTechnique::Tessellated)
-    {
-      object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
-    }
-    else
-    {
-      object.Mapper = vtkSmartPointer<vtkMesoPolyDataMapper>::New();
-    }
+    this->MakeMapper(object, normals, inScene);
     object.Mapper->SetOptions(node.Mesostructure);
     object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
         ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")
@@ -567,13 +507,13 @@ void MesoSceneBuilder::Build(const MesoScene& scene, vtkRenderer* renderer)
   renderer->RemoveAllLights();
   for (const MesoSceneLight& light : scene.Lights)
   {
-    this->AddLight(light, scene.Camera, renderer);
+    MesoAddSceneLight(light, scene.Camera, renderer);
   }
   const std::array<double, 16> identity = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   for (std::size_t i = 0; i < scene.Nodes.size(); ++i)
   {
     this->AddNode(scene, scene.Nodes[i], "nodes[" + std::to_string(i) + "]", identity, renderer);
   }
-  this->SetCamera(scene.Camera, renderer);
+  MesoSetSceneCamera(scene.Camera, renderer);
   this->SetShadows(scene.Lights, renderer);
 }

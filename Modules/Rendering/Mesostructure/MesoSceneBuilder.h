@@ -12,6 +12,7 @@
 class vtkActor;
 class vtkImageData;
 struct MesoHeights;
+struct MesoNormals;
 class vtkMesoPolyDataMapper;
 class vtkPolyData;
 class vtkRenderer;
@@ -56,11 +57,13 @@ public:
 private:
   void AddNode(const MesoScene& scene, const MesoSceneNode& node, const std::string& place,
     const std::array<double, 16>& parentMatrix, vtkRenderer* renderer);
-  void AddLight(const MesoSceneLight& light, const MesoSceneCamera& camera, vtkRenderer* renderer);
+  /// The material's normal map, where it is shown; none where it is not.
+  MesoNormals ReadNormals(const MesoSceneNode& node, Object& object, const std::string& inScene);
+  /// The technique's mapper with its maps, and the mesh that it draws.
+  void MakeMapper(Object& object, const MesoNormals& normals, const std::string& inScene);
   /// Colours, contour lines and a scalar bar of the object's numbers.
   void AddScalars(const MesoSceneMaterial& material, const Object& object,
     const std::string& inScene, vtkRenderer* renderer);
-  void SetCamera(const MesoSceneCamera& camera, vtkRenderer* renderer);
   void SetShadows(const std::vector<MesoSceneLight>& lights, vtkRenderer* renderer) const;
   MesoHeights MakeHeights(const MesoSceneMap& map, const std::string& place);
   vtkSmartPointer<vtkPolyData> MakeMesh(
