@@ -173,7 +173,7 @@ TEST(MesoBench, PicturesShowWhatTheySay)
     }
   }
   EXPECT_EQ(colors.count({ 255, 255, 255 }), 1u);
-  EXPECT_EQ(colors.count({ 0, 114, 178 }), 1u) << "relief";
+  EXPECT_EQ(colors.count({ 86, 180, 233 }), 1u) << "relief";
   EXPECT_EQ(colors.count({ 60, 60, 60 }), 1u) << "plain";
 }
 
@@ -336,7 +336,7 @@ TEST(MesoBench, AblationShowsWhatEachEffectIsWorth)
   {
     without[row["technique"].get<std::string>() + " " + row["without"].get<std::string>()] = row;
   }
-  EXPECT_EQ(without.size(), 7u + 5u); // none, and each effect
+  EXPECT_EQ(without.size(), 8u + 6u); // none, and each effect
   const auto error = [&](const std::string& effect, const char* figure) -> double
   {
     const Json& row = without["relief-quadric " + effect];
