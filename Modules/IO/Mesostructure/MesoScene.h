@@ -67,7 +67,7 @@ struct MesoSceneColorBy
 {
   std::string Array; ///< name of a point array, or "height": that of the relief where it is seen
   std::optional<int> Component; ///< without one: the magnitude of the tuple
-  std::string LookupTable;      ///< "viridis", "coolwarm", "grey", or empty: what suits the array
+  std::string LookupTable;      ///< a color map (MesoColorMapNames), or empty: what suits the array
   std::optional<std::array<double, 2>> Range; ///< default: what suits the array
 
   bool IsHeight() const { return this->Array == "height"; }
