@@ -51,7 +51,8 @@ std::optional<double> BenchOrder(const std::vector<Json>& rows, const std::strin
   {
     if (row["technique"] != technique || row["status"] != "ok" ||
       !row["errors"].contains(surface) || row["quality"].get<std::string>().empty() ||
-      row["quality"] == MesoName(MesoQuality::Certified) || row.value("search", "") != "")
+      row["quality"] == MesoName(MesoQuality::Certified) ||
+      !row.value("search", std::string()).empty())
     {
       continue;
     }

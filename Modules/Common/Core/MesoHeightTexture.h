@@ -55,7 +55,7 @@ public:
 
   /// Cones of free space, four codes a texel each (MesoHeightCones); searches by cones need them.
   /// Throws std::invalid_argument where there are not four a texel.
-  void SetCones(std::vector<unsigned char> apex, std::vector<unsigned char> steepness)
+  void SetCones(const std::vector<unsigned char>& apex, const std::vector<unsigned char>& steepness)
   {
     const std::size_t codes = 4 * this->Heights.size();
     if (apex.size() != codes || steepness.size() != codes)
@@ -64,8 +64,8 @@ public:
         " texels: got " + std::to_string(apex.size()) + " apexes and " +
         std::to_string(steepness.size()) + " steepnesses");
     }
-    this->ConeApex = std::move(apex);
-    this->ConeSteepness = std::move(steepness);
+    this->ConeApex = apex;
+    this->ConeSteepness = steepness;
   }
 
   ///@{

@@ -168,7 +168,7 @@ int vtkMesoMapFromMesh::RequestData(
   const std::string problem = MesoFitFailure("maps",
     [&]
     {
-      this->Execute(
+      this->MakeMaps(
         vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(inputVector[1]), output);
     });
   if (!problem.empty() || this->GetAbortExecute())
@@ -182,7 +182,7 @@ int vtkMesoMapFromMesh::RequestData(
   return 1;
 }
 
-void vtkMesoMapFromMesh::Execute(vtkPolyData* base, vtkPolyData* detail, vtkImageData* output)
+void vtkMesoMapFromMesh::MakeMaps(vtkPolyData* base, vtkPolyData* detail, vtkImageData* output)
 {
   const auto isSide = [](int side) { return side >= 1 && side <= LargestSide; };
   if (!isSide(this->Size[0]) || !isSide(this->Size[1]))

@@ -132,7 +132,7 @@ private:
   vtkMesoMapFromMesh(const vtkMesoMapFromMesh&) = delete;
   void operator=(const vtkMesoMapFromMesh&) = delete;
 
-  void Execute(vtkPolyData* base, vtkPolyData* detail, vtkImageData* output);
+  void MakeMaps(vtkPolyData* base, vtkPolyData* detail, vtkImageData* output);
 
   int Size[2] = { 1024, 1024 };
   double Reach = 0.;
