@@ -23,23 +23,6 @@
 
 namespace
 {
-/// One of two words, as a flag.
-void AddChoice(CLI::App& command, const std::string& option, const std::string& off,
-  const std::string& on, bool& flag, const std::string& help)
-{
-  command.add_option_function<std::string>(
-    option,
-    [option, off, on, &flag](const std::string& text)
-    {
-      if (text != off && text != on)
-      {
-        throw CLI::ValidationError(option, "'" + text + "' is none of " + off + ", " + on);
-      }
-      flag = text == on;
-    },
-    help);
-}
-
 vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& fileName)
 {
   vtkNew<vtkMesoMeshReader> reader;

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <cstdio>
 #include <iostream>
 #include <sys/resource.h>
 
@@ -31,15 +30,13 @@ void Warn(const std::vector<std::string>& warnings)
 
 std::array<double, 2> ParseRange(const std::string& text)
 {
-  std::array<double, 2> range;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf%c", &range[0], &range[1], &rest) != 2 ||
-    !(range[0] < range[1]))
+  const auto range = ParsePair(text);
+  if (!range || !((*range)[0] < (*range)[1]))
   {
     throw CLI::ValidationError(
       "--range", "'" + text + "' is no range such as 0,255, the first less than the second");
   }
-  return range;
+  return *range;
 }
 
 /// Shows a progress bar.

@@ -1,6 +1,7 @@
 #include "BakeNormal.h"
 
 #include "BakeImages.h"
+#include "CommandLine.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMesoNormalMap.h"
@@ -9,21 +10,17 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
-
 namespace
 {
 std::array<double, 2> ParseTileSize(const std::string& text)
 {
-  std::array<double, 2> size;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf%c", &size[0], &size[1], &rest) != 2 || !(size[0] > 0.) ||
-    !(size[1] > 0.))
+  const auto size = ParsePair(text);
+  if (!size || !((*size)[0] > 0.) || !((*size)[1] > 0.))
   {
     throw CLI::ValidationError(
       "--tile-size", "'" + text + "' is no pair of lengths above 0 such as 1,0.5");
   }
-  return size;
+  return *size;
 }
 }
 
@@ -40,16 +37,7 @@ void BakeNormal::AddOptions(CLI::App& command)
   command.add_option_function<std::string>(
     "--tile-size", [this](const std::string& text) { this->TileSize = ParseTileSize(text); },
     "Lengths of a tile along u and v (default: 1,1)");
-  command.add_option_function<std::string>(
-    "--y",
-    [this](const std::string& text)
-    {
-      if (text != "up" && text != "down")
-      {
-        throw CLI::ValidationError("--y", "'" + text + "' is none of up, down");
-      }
-      this->IsYUp = text == "up";
-    },
+  AddChoice(command, "--y", "up", "down", this->IsYDown,
     "Which way green points: up (OpenGL, the default) or down (DirectX)");
   command.add_option("--bits", this->Bits, "8, 16, or 32 for float (default: 8)")
     ->check(CLI::IsMember({ 8, 16, 32 }));
@@ -67,7 +55,7 @@ void BakeNormal::Run()
   this->Output.Update(filter);
 
   vtkImageData* normals = filter->GetOutput();
-  if (!this->IsYUp)
+  if (this->IsYDown)
   {
     vtkDataArray* tuples = normals->GetPointData()->GetScalars();
     for (vtkIdType i = 0; i < tuples->GetNumberOfTuples(); ++i)

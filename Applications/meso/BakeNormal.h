@@ -16,7 +16,7 @@ private:
   BakeOutput Output;
   double Scale = 0.1;
   std::array<double, 2> TileSize = { 1., 1. };
-  bool IsYUp = true;
+  bool IsYDown = false;
   int Bits = 8;
 };
 

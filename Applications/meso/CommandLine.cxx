@@ -60,6 +60,33 @@ std::array<int, 2> ParseSize(const char* option, const std::string& text)
   return { width, height };
 }
 
+std::optional<std::array<double, 2>> ParsePair(const std::string& text)
+{
+  std::array<double, 2> pair;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%c", &pair[0], &pair[1], &rest) != 2)
+  {
+    return std::nullopt;
+  }
+  return pair;
+}
+
+void AddChoice(CLI::App& command, const std::string& option, const std::string& off,
+  const std::string& on, bool& flag, const std::string& help)
+{
+  command.add_option_function<std::string>(
+    option,
+    [option, off, on, &flag](const std::string& text)
+    {
+      if (text != off && text != on)
+      {
+        throw CLI::ValidationError(option, "'" + text + "' is none of " + off + ", " + on);
+      }
+      flag = text == on;
+    },
+    help);
+}
+
 void AddOutputOption(CLI::App& command, std::string& output)
 {
   command.add_option("-o,--output", output, "Picture to write, ending in .png")

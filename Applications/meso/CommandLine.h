@@ -10,6 +10,7 @@
 
 #include <array>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ std::vector<std::string> SplitAtCommas(const std::string& text);
 
 /// Width and height of a text such as 800x600.
 std::array<int, 2> ParseSize(const char* option, const std::string& text);
+
+/// The two numbers of a text such as 0,255, or nothing.
+std::optional<std::array<double, 2>> ParsePair(const std::string& text);
+
+/// An option that takes one of two words; `flag` becomes whether it is `on`.
+void AddChoice(CLI::App& command, const std::string& option, const std::string& off,
+  const std::string& on, bool& flag, const std::string& help);
 
 ///@{
 /// `-o,--output`, a .png; `--size WxH`; `--aov LIST` of these groups; `--samples N`; `--stats FILE`.

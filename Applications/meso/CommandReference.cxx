@@ -2,6 +2,7 @@
 
 #include "CommandLine.h"
 #include "MesoAtomicFile.h"
+#include "MesoReference.h"
 #include "vtkImageData.h"
 
 #include <CLI/CLI.hpp>
@@ -73,17 +74,7 @@ CommandReference::CommandReference(CLI::App& app)
   command->add_option("SCENE", this->SceneFile, "Scene file (JSON)")->required();
   AddOutputOption(*command, this->Output);
   AddSizeOption(*command, this->Size);
-  command->add_option_function<std::string>(
-    "--surface",
-    [this](const std::string& text)
-    {
-      if (text != "mesh" && text != "smooth")
-      {
-        throw CLI::ValidationError("--surface", "'" + text + "' is none of mesh, smooth");
-      }
-      this->Surface =
-        text == "mesh" ? MesoReference::Surface::Mesh : MesoReference::Surface::Smooth;
-    },
+  AddChoice(*command, "--surface", "mesh", "smooth", this->Smooth,
     "What lies under the relief: the nodes' meshes (mesh, the default), or the closed forms of "
     "their built-in shapes (smooth)");
   AddAOVOption(*command, AOVGroups, this->Channels);
@@ -102,7 +93,8 @@ int CommandReference::Run()
   CheckFileNames({ this->Output, this->Channels.empty() ? std::string() : AOVFileName(this->Output),
                    this->StatsFile },
     { this->SceneFile });
-  const MesoReference reference(scene, this->Surface);
+  const MesoReference reference(
+    scene, this->Smooth ? MesoReference::Surface::Smooth : MesoReference::Surface::Mesh);
   for (const std::string& warning : reference.GetWarnings())
   {
     std::cerr << "meso: warning: " << warning << "\n";
@@ -125,7 +117,7 @@ int CommandReference::Run()
   }
   if (!this->StatsFile.empty())
   {
-    const char* surface = this->Surface == MesoReference::Surface::Mesh ? "mesh" : "smooth";
+    const char* surface = this->Smooth ? "smooth" : "mesh";
     const std::string stats =
       StatsText(result.Counters, surface, this->Size, this->Samples, this->Bounces);
     MesoAtomicFile::Write(this->StatsFile, stats.data(), stats.size());

@@ -1,8 +1,6 @@
 #ifndef CommandReference_h
 #define CommandReference_h
 
-#include "MesoReference.h"
-
 #include <array>
 #include <string>
 #include <vector>
@@ -26,7 +24,7 @@ private:
   std::string SceneFile;
   std::string Output;
   std::array<int, 2> Size = { 800, 600 };
-  MesoReference::Surface Surface = MesoReference::Surface::Mesh;
+  bool Smooth = false;               ///< the closed forms of the shapes, not the meshes
   std::vector<std::string> Channels; ///< AOV groups, empty for none
   int Samples = 1;
   int Bounces = 0;
