@@ -240,6 +240,7 @@ MesoSearchSteps MesoStepsOfQuality(MesoQuality quality)
       return { 64, 7 };
     case MesoQuality::High:
     case MesoQuality::Certified:
+    case MesoQuality::Full:
       return { 128, 8 };
   }
   return { 64, 7 };
@@ -257,6 +258,7 @@ MesoParallaxSteps MesoParallaxStepsOfQuality(MesoQuality quality)
       return { 32, 3 };
     case MesoQuality::High:
     case MesoQuality::Certified:
+    case MesoQuality::Full:
       return { 64, 4 };
   }
   return { 32, 3 };
@@ -274,6 +276,7 @@ int MesoAzimuthsOfQuality(MesoQuality quality)
       return 32;
     case MesoQuality::High:
     case MesoQuality::Certified:
+    case MesoQuality::Full:
       return 64;
   }
   return 32;
@@ -287,7 +290,14 @@ bool MesoHasQualities(MesoTechnique technique)
 
 bool MesoUsesHeightMap(MesoTechnique technique)
 {
-  return technique != MesoTechnique::Plain;
+  return technique != MesoTechnique::Plain && technique != MesoTechnique::GeometryImage &&
+    !MesoUsesVolume(technique);
+}
+
+bool MesoUsesVolume(MesoTechnique technique)
+{
+  return technique == MesoTechnique::GDM || technique == MesoTechnique::Slices ||
+    technique == MesoTechnique::ShellSDF;
 }
 
 bool MesoHasSearches(MesoTechnique technique)
@@ -313,6 +323,7 @@ double MesoFacetsPerTexel(MesoQuality quality)
       return 1.;
     case MesoQuality::High:
     case MesoQuality::Certified:
+    case MesoQuality::Full:
       return 2.;
   }
   return 1.;

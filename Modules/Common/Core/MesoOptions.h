@@ -28,6 +28,10 @@ enum class MesoTechnique
   Relief,             ///< relief mapping in the tangent plane (Oliveira2005, section 2.1)
   ReliefQuadric,      ///< over a quadric at each vertex, with outlines (Oliveira2005, section 3.2)
   ReliefQuadricExact, ///< the same by the distance to the quadric (Oliveira2005, section 3.1)
+  VDM,                ///< a table of distances over view and curvature (Wang2003)
+  GDM,                ///< a table of distances through a volume, in prisms (Wang2004)
+  Slices,             ///< a stack of textured slices in each prism (Meyer1998)
+  ShellSDF,           ///< sphere tracing of a volume's signed distance, in prisms
   Displacement,       ///< vertices of instanced grids moved in the vertex stage
   GeometryImage,      ///< the mesh as an image of positions, drawn as a regular grid
   Tessellated         ///< the mesh, diced and displaced: ordinary triangles
@@ -40,7 +44,8 @@ enum class MesoQuality
   Low,
   Medium,
   High,
-  Certified ///< a search that misses nothing of the technique's own model
+  Certified, ///< a search that misses nothing of the technique's own model
+  Full       ///< a table as it was baked, without the loss of its factors
 };
 
 /// How a ray's first meeting with a height map is looked for.
@@ -86,13 +91,15 @@ enum class MesoQuadricKind
 /// What a technique can show. A set of them is a MesoEffects.
 enum class MesoEffect : std::uint32_t
 {
-  Shading = 1u << 0,    ///< the fine normal is used
-  Occlusion = 1u << 1,  ///< near detail hides far detail
-  SelfShadow = 1u << 2, ///< detail shades detail, for each light
-  Depth = 1u << 3,      ///< the depth buffer is that of the detail
-  Silhouette = 1u << 4, ///< the outline shows the detail
-  Curvature = 1u << 5,  ///< the ray is bent with the surface
-  CastShadow = 1u << 6  ///< detail casts shadows on other objects and takes theirs
+  Shading = 1u << 0,       ///< the fine normal is used
+  Occlusion = 1u << 1,     ///< near detail hides far detail
+  SelfShadow = 1u << 2,    ///< detail shades detail, for each light
+  Depth = 1u << 3,         ///< the depth buffer is that of the detail
+  Silhouette = 1u << 4,    ///< the outline shows the detail
+  Curvature = 1u << 5,     ///< the ray is bent with the surface
+  CastShadow = 1u << 6,    ///< detail casts shadows on other objects and takes theirs
+  OpenBoundary = 1u << 7,  ///< detail is right at an open edge of the mesh
+  NonHeightField = 1u << 8 ///< overhangs, holes, weaves, chains
 };
 
 /// A set of effects.
@@ -180,6 +187,9 @@ MESOCOMMONCORE_EXPORT bool MesoHasQualities(MesoTechnique technique);
 /// Whether a technique draws a height map; the others have no use for one.
 MESOCOMMONCORE_EXPORT bool MesoUsesHeightMap(MesoTechnique technique);
 
+/// Whether a technique draws a volume of mesostructure; the others have no use for one.
+MESOCOMMONCORE_EXPORT bool MesoUsesVolume(MesoTechnique technique);
+
 /// Whether a technique's rays can look for the height map by each MesoSearch. The others have neither
 /// the option Search nor the quality Certified.
 MESOCOMMONCORE_EXPORT bool MesoHasSearches(MesoTechnique technique);
@@ -218,6 +228,9 @@ struct MesoMesostructureOptions
   MesoParallaxKind Parallax = MesoParallaxKind::Occlusion;
   /// Of `horizon`: degrees of the light's elevation over which the shadow's edge fades, >= 0.
   double Penumbra = 2.0;
+  /// Factors that a table is summed from, for distances and for silhouettes; default: the quality's.
+  std::optional<std::array<int, 2>> Rank;
+  int Segments = 1; ///< straight pieces that a ray's way through a prism is cut into, >= 1
 };
 
 /// Whether the relief's base is looked up in an image of the mesh (vtkMesoBaseImage).

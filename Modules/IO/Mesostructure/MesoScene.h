@@ -141,6 +141,19 @@ struct MesoSceneMap
   std::optional<std::array<double, 2>> SampleSpacing; ///< object units a sample
 };
 
+/// Mesostructure that is no height field: a volume's file, or a built-in one.
+struct MesoSceneVolume
+{
+  std::string File;    ///< resolved file name, or empty where Pattern is given
+  bool IsMesh = false; ///< the file is a closed mesh that fills one tile (tile_mesh)
+  std::string Pattern; ///< of MesoVolumePatternNames()
+  std::array<int, 3> Size = { 64, 64, 32 };
+  std::uint32_t Seed = 1;
+  std::map<std::string, double> Parameters; ///< the pattern's further numbers by key
+  /// Stored numbers from here on are solid; default: the middle of what the file's type holds.
+  std::optional<double> Threshold;
+};
+
 struct MesoSceneNode
 {
   std::string Name;
@@ -150,6 +163,8 @@ struct MesoSceneNode
   MesoSceneMaterial Material;
   MesoMesostructureOptions Mesostructure;
   std::optional<MesoSceneMap> Map;
+  std::optional<MesoSceneVolume> Volume;
+  std::string Baked; ///< resolved name of a baked table, or empty
   std::vector<MesoSceneNode> Children;
 };
 
