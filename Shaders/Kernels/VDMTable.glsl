@@ -227,10 +227,10 @@ float vdmNumber(VDMLayout table, float sine, float cosine, float c, VDMPoint poi
 // Where a ray that leaves a point at `depth` comes out of the base: as it would come in there, mirrored.
 // sine, cosine: of its angle from the outward normal at the point's foot, cosine < 0 where it first goes
 // deeper, from which only a convex base lets it out. sineOut, cosineOut: where it comes out, from the
-// outward normal there. Result: from foot to way out, along the base.
-float vdmWayOut(float c, float depth, float sine, float cosine, out float sineOut, out float cosineOut)
+// outward normal there. Result: of that ray, from the way out back to the point.
+VDMPoint vdmWayOut(float c, float depth, float sine, float cosine, out float sineOut, out float cosineOut)
 {
   sineOut = clamp((1.0 - c * depth) * sine, 0.0, 1.0); // the law of sines
   cosineOut = max(sqrt(max(1.0 - sineOut * sineOut, 0.0)), VDMLeastCosine);
-  return vdmPointAtDepth(sineOut, cosineOut, c, depth, cosine < 0.0).Offset;
+  return vdmPointAtDepth(sineOut, cosineOut, c, depth, cosine < 0.0);
 }

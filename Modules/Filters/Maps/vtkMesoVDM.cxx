@@ -2,10 +2,13 @@
 
 #include "MesoVDMImage.h"
 #include "MesoVDMRays.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -102,10 +105,9 @@ int vtkMesoVDM::RequestInformation(
   return 1;
 }
 
-MesoVDMNumbers vtkMesoVDM::Bake(const Map& map)
+MesoVDMNumbers vtkMesoVDM::Bake(const std::vector<float>& depths)
 {
   const MesoVDMLayout& layout = this->Layout;
-  const std::vector<float> depths = DepthsOf(map.Heights, map.Width, map.Height, layout);
   const double part = this->Ranks[0] > 0 ? BakingPart : 1.;
   const std::size_t columns = layout.Columns();
   MesoVDMNumbers numbers(layout.Rows() * columns);
@@ -147,7 +149,8 @@ void vtkMesoVDM::Compute(const Map& map, vtkImageData* output)
       << MesoName(this->GetWrap()) << " has none");
     return;
   }
-  MesoVDMNumbers numbers = this->Bake(map);
+  const std::vector<float> depths = DepthsOf(map.Heights, map.Width, map.Height, this->Layout);
+  MesoVDMNumbers numbers = this->Bake(depths);
   if (this->GetAbortExecute())
   {
     return;
@@ -156,6 +159,13 @@ void vtkMesoVDM::Compute(const Map& map, vtkImageData* output)
   output->SetSpacing(1. / this->Layout.Width, 1. / this->Layout.Height, 1. / this->Layout.Azimuths);
   output->SetOrigin(0.5 / this->Layout.Width, 0.5 / this->Layout.Height, 0.);
   this->Layout.Write(output);
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("Heights");
+  for (const float depth : depths)
+  {
+    heights->InsertNextValue(static_cast<float>(1. - depth / this->Layout.Depth));
+  }
+  output->GetFieldData()->AddArray(heights);
   if (this->Ranks[0] <= 0)
   {
     MesoStoreVDM(this->Layout, numbers, output);

@@ -7,7 +7,8 @@
  * is stored). The map is a tile that repeats, 1 x 1 large and Depth deep, of any size; where that differs
  * from the table's it is resampled, bilinearly or by means over the table's texels.
  *
- * Output: an image of TableSize x azimuths with field data that MesoVDMLayout::Read understands, and
+ * Output: an image of texels x azimuths with field data that MesoVDMLayout::Read understands, the map as it
+ * was resampled in the field data `Heights` (float, in [0,1]), and
  *
  * - with Ranks 0, the table itself: `VDM` (16 bit, polar angles x curvatures, the scalars), `MVM` (16 bit,
  *   curvatures: the largest polar angle at which a ray meets anything, of 90 degrees); 65535 stands for 1;
@@ -76,8 +77,8 @@ private:
   vtkMesoVDM(const vtkMesoVDM&) = delete;
   void operator=(const vtkMesoVDM&) = delete;
 
-  /// All numbers of the table; empty where the work was aborted.
-  MesoVDMNumbers Bake(const Map& map);
+  /// All numbers of the table, of depths in tiles at its texels.
+  MesoVDMNumbers Bake(const std::vector<float>& depths);
 
   MesoVDMLayout Layout;
   MesoVDMCurved Curved = MesoVDMCurved::Exact;

@@ -35,8 +35,8 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "mesostructure",
       { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
         "reference", "tiles", "wrap", "quality", "search", "quadric", "curved", "parallax",
-        "penumbra", "effects" },
-      { "volume", "tile_mesh", "baked", "rank", "segments" } },
+        "penumbra", "baked", "rank", "effects" },
+      { "volume", "tile_mesh", "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
   {

@@ -9,9 +9,10 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "vdm", "gdm",
-  "slices", "shell-sdf" };
-const std::vector<std::string> LaterQualities = { "full" };
+const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "gdm", "slices",
+  "shell-sdf" };
+
+constexpr double MostFactors = 12.;
 
 /// A word of a list, for ToChoice.
 std::string ReadName(const MesoSceneValue& value, const std::string& kind,
@@ -237,6 +238,51 @@ MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique techniqu
   }
   return choice;
 }
+
+void CheckHasScale(const MesoSceneValue& value, const std::string& technique)
+{
+  if (!value.Has("scale"))
+  {
+    value.Fail(technique + " needs scale, the height of its relief in object units");
+  }
+}
+
+/// What techniques that look tables up have to choose.
+void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
+{
+  MesoMesostructureOptions& options = node.Mesostructure;
+  const bool tabled = options.Technique == MesoTechnique::VDM;
+  const std::string technique = std::string("technique ") + MesoName(options.Technique);
+  if (tabled && options.Wrap != MesoWrap::Repeat)
+  {
+    value.At("wrap").Fail(technique + " has a table of a tile that repeats");
+  }
+  value.With("rank",
+    [&](const MesoSceneValue& ranks)
+    {
+      if (!tabled)
+      {
+        ranks.Fail(technique + " has no table with factors");
+      }
+      if (options.Quality == MesoQuality::Full)
+      {
+        ranks.Fail("quality full is the table itself, without factors");
+      }
+      const MesoSceneRange range = { 1., MostFactors, true };
+      const auto list = ranks.ToList(2);
+      options.Rank = { static_cast<int>(list[0].ToInteger(range)),
+        static_cast<int>(list[1].ToInteger(range)) };
+    });
+  value.With("baked",
+    [&](const MesoSceneValue& file)
+    {
+      if (!tabled)
+      {
+        file.Fail(technique + " has no use for a baked table");
+      }
+      node.Baked = file.ToFileName();
+    });
+}
 }
 
 MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
@@ -336,7 +382,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     [&](const MesoSceneValue& quality)
     {
       options.Quality = quality.ToChoice<MesoQuality>(
-        "quality", &MesoQualityFromName, MesoQualityNames(), LaterQualities);
+        "quality", &MesoQualityFromName, MesoQualityNames());
     });
   value.With("search",
     [&](const MesoSceneValue& search)
@@ -400,6 +446,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       }
       options.Penumbra = angle.ToNumber({ 0., 90., true });
     });
+  ReadTable(value, node);
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });
@@ -432,6 +479,11 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       "there is no height_map or depth_map or relief_map that it is of");
     const bool mapped = options.Technique == MesoTechnique::Normal ||
       options.Technique == MesoTechnique::NormalObject;
+    if (!node.Baked.empty())
+    {
+      CheckHasScale(value, technique);
+      return;
+    }
     if (MesoUsesHeightMap(options.Technique) && !(mapped && !node.Material.NormalMap.empty()))
     {
       value.Fail("technique " + name + " needs a height_map or a depth_map" +
@@ -439,9 +491,9 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     }
     return;
   }
-  if (MesoUsesHeightMap(options.Technique) && !value.Has("scale"))
+  if (MesoUsesHeightMap(options.Technique))
   {
-    value.Fail("technique " + name + " needs scale, the height of its relief in object units");
+    CheckHasScale(value, technique);
   }
   value.With("range",
     [&](const MesoSceneValue& range)

@@ -8,6 +8,7 @@
 #include "MesoScalarBar.h"
 #include "MesoSceneLights.h"
 #include "MesoSurfaceColors.h"
+#include "MesoVDMInput.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -24,6 +25,7 @@
 #include "vtkMesoShapeSource.h"
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkMesoTessellatedMapper.h"
+#include "vtkMesoVDMMapper.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -360,8 +362,8 @@ MesoNormals MesoSceneBuilder::ReadNormals(
   return normals;
 }
 
-void MesoSceneBuilder::MakeMapper(
-  Object& object, const MesoNormals& normals, const std::string& inScene)
+void MesoSceneBuilder::MakeMapper(const MesoSceneNode& node, Object& object,
+  const MesoNormals& normals, const std::string& inScene)
 {
   if (object.Options.Technique == MesoTechnique::Relief ||
     MesoBendsRelief(object.Options.Technique))
@@ -399,6 +401,23 @@ void MesoSceneBuilder::MakeMapper(
       bump, object.HeightMap, object.Mesh, normals, inScene + ".mesostructure", this->Warnings);
     object.Mapper = bump;
   }
+  else if (object.Options.Technique == MesoTechnique::VDM)
+  {
+    if (object.Options.Reference != 1. && !MesoEffectsOn(object.Options).Empty())
+    {
+      object.Mesh = this->Moved(object, inScene + ".mesh");
+    }
+    if (MesoEffectsOn(object.Options).Has(MesoEffect::Curvature))
+    {
+      object.Mesh = this->WithQuadrics(object.Mesh, object.Options.Quadric, inScene + ".mesh");
+    }
+    vtkNew<vtkMesoVDMMapper> vdm;
+    vdm->SetOptions(object.Options);
+    vdm->SetHeightMap(object.HeightMap);
+    MesoSetVDMTable(
+      vdm, node.Baked, object.Mesh, inScene + ".mesostructure", this->Warnings);
+    object.Mapper = vdm;
+  }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
   {
     object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
@@ -427,6 +446,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       heights = this->MakeHeights(*node.Map, inScene + ".mesostructure");
       object.HeightMap = heights.Image;
     }
+    else if (node.Mesostructure.Technique == MesoTechnique::VDM && !node.Baked.empty())
+    {
+      object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
+    }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
         (node.Material.ColorBy && MesoColorNeedsFrames(*node.Material.ColorBy)));
@@ -450,7 +473,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
-    this->MakeMapper(object, normals, inScene);
+    this->MakeMapper(node, object, normals, inScene);
     object.Mapper->SetOptions(node.Mesostructure);
     object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
         ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")
