@@ -11,10 +11,48 @@ using Kernel = MesoKernels::Double::VDMTable;
 const Kernel TheKernel;
 const double RightAngle = std::acos(0.);
 
-/// Depth of a ray over a point of the base.
-double RayDepth(double curvature, double sine, double cosine, double offset)
+/// Of the polar angle at which a point is seen from the entry, over a convex base.
+double Cotangent(double curvature, double offset, double depth)
 {
-  return TheKernel.vdmPointAtDistance(sine, cosine, curvature, offset / sine).Depth;
+  const double psi = curvature * offset;
+  const double left = 1. - curvature * depth;
+  return (1. - left * std::cos(psi)) / (left * std::sin(psi));
+}
+
+/// Angles at the centre, of a stretch between two cuts, above which a parabola is not the way.
+constexpr double CoarseAngle = 0.03;
+
+/// Where between two cuts the cotangent is least, from a guess of a parabola on.
+double FlattestBetween(const MesoHeightLine::Profile& profile, double curvature, std::size_t cut,
+  double start, double length, double guess)
+{
+  const auto at = [&](double along)
+  { return Cotangent(curvature, start + along, profile.DepthBetween(cut, along)); };
+  if (curvature * length > CoarseAngle)
+  {
+    double low = 0.;
+    double high = length;
+    for (int step = 0; step < 40; ++step)
+    {
+      const double third = (high - low) / 3.;
+      if (at(low + third) < at(high - third))
+      {
+        high -= third;
+      }
+      else
+      {
+        low += third;
+      }
+    }
+    return 0.5 * (low + high);
+  }
+  const double apart = 0.02 * length;
+  const double along = std::min(std::max(guess, apart), length - apart);
+  const double before = at(along - apart);
+  const double after = at(along + apart);
+  const double bend = before - 2. * at(along) + after;
+  const double shift = bend > 0. ? 0.5 * apart * (before - after) / bend : 0.;
+  return std::min(std::max(along + shift, 0.), length);
 }
 
 /// The first s in (0, length] at which the parabola through a positive number at 0 and two others in the
@@ -54,7 +92,8 @@ MesoVDMRays::MesoVDMRays(const MesoVDMLayout& layout, MesoVDMCurved curved, doub
 MesoVDMRays::Ray MesoVDMRays::MakeRay(const MesoVDMLayout& layout, double curvature, int polar)
 {
   const double angle = layout.RayPolarAt(polar);
-  Ray ray = { std::sin(angle), std::cos(angle), 0., false };
+  Ray ray = { std::sin(angle), std::cos(angle), 0., 0., false };
+  ray.Cotangent = ray.Sine > 0. ? ray.Cosine / ray.Sine : 0.;
   const double rest = (2. - curvature * layout.Depth) * layout.Depth;
   ray.ComesOut = ray.Cosine * ray.Cosine < curvature * rest;
   ray.End = ray.ComesOut
@@ -82,35 +121,28 @@ double MesoVDMRays::ReachOf(const MesoVDMLayout& layout)
   return reach;
 }
 
+MesoVDMRays::Fan::Arc MesoVDMRays::ArcOf(double curvature, double offset)
+{
+  const double psi = curvature * offset;
+  const double half = TheKernel.vdmSinc(0.5 * psi);
+  return { 0.5 * psi * offset * half * half, std::cos(psi), offset * TheKernel.vdmSinc(psi) };
+}
+
 MesoVDMRays::Fan MesoVDMRays::MakeFan(double curvature) const
 {
   Fan fan;
   fan.Curvature = curvature;
-  const std::vector<double>& offsets = this->Line.GetOffsets();
-  const std::size_t places = 2 * offsets.size() - 1;
-  const auto offsetAt = [&](std::size_t place)
-  {
-    return place % 2 == 0 ? offsets[place / 2] : 0.5 * (offsets[place / 2] + offsets[place / 2 + 1]);
-  };
-  fan.Depths.resize(this->Layout.Polars * places);
   for (int i = 0; i < this->Layout.Polars; ++i)
   {
     fan.Rays.push_back(MakeRay(this->Layout, curvature, i));
-    const Ray& ray = fan.Rays.back();
-    for (std::size_t k = 0; ray.Sine > 0. && k < places; ++k)
-    {
-      fan.Depths[i * places + k] = RayDepth(curvature, ray.Sine, ray.Cosine, offsetAt(k));
-      if (k % 2 == 0 && offsetAt(k) > ray.End)
-      {
-        break; // the rest is not looked at
-      }
-    }
   }
-  for (std::size_t k = 0; curvature > 0. && k < places; ++k)
+  const std::vector<double>& offsets = this->Line.GetOffsets();
+  for (std::size_t k = 0; k + 1 < offsets.size(); ++k)
   {
-    const double psi = curvature * offsetAt(k);
-    fan.Arcs.push_back({ (1. - std::cos(psi)) / curvature, std::cos(psi), std::sin(psi) / curvature });
+    fan.Arcs.push_back(ArcOf(curvature, offsets[k]));
+    fan.Arcs.push_back(ArcOf(curvature, 0.5 * (offsets[k] + offsets[k + 1])));
   }
+  fan.Arcs.push_back(ArcOf(curvature, offsets.back()));
   return fan;
 }
 
@@ -123,24 +155,32 @@ std::vector<MesoVDMRays::Point> MesoVDMRays::Meet(
   std::size_t cut = 0;
   profile.Reach(0);
   const double surface = profile.DepthAt(0);
-  for (std::size_t i = 0; i < fan.Rays.size(); ++i)
+  for (const Ray& ray : fan.Rays)
   {
-    const Ray& ray = fan.Rays[i];
     if (ray.Sine == 0. || surface <= 0.)
     {
       points.push_back({ 0., surface });
       continue;
     }
-    const double* rayDepths = &fan.Depths[i * (2 * offsets.size() - 1)];
+    const double bending = 0.25 * std::abs(fan.Curvature);
     Point point = { ray.End, this->Layout.Depth };
     bool meets = !ray.ComesOut; // the bottom at the latest
-    double before = profile.DepthAt(cut) - rayDepths[2 * cut];
+    double before = fan.Above(fan.Arcs[2 * cut], profile.DepthAt(cut), ray.Cotangent);
     for (; cut + 1 < offsets.size() && offsets[cut] <= ray.End; ++cut)
     {
       profile.Reach(cut + 1);
-      const double after = profile.DepthAt(cut + 1) - rayDepths[2 * cut + 2];
-      if (std::min(before, after) <= profile.SagAfter(cut) &&
-        this->MeetBetween(profile, rayDepths + 2 * cut, cut, point))
+      const Fan::Arc& arc = fan.Arcs[2 * cut + 2];
+      const double depth = profile.DepthAt(cut + 1);
+      const double after = fan.Above(arc, depth, ray.Cotangent);
+      // Between the cuts it may lie below its chord by the relief's sag, and by what the bend adds to it.
+      const double length = offsets[cut + 1] - offsets[cut];
+      const double sag = profile.SagAfter(cut) +
+        bending *
+          (length * length +
+            ray.Cotangent *
+              (length * std::abs(depth - profile.DepthAt(cut)) + 4. * arc.Sine * profile.SagAfter(cut)));
+      if (std::min(before, after) <= sag &&
+        this->MeetBetween(profile, fan, ray, cut, before, after, point))
       {
         meets = true;
         break;
@@ -162,18 +202,18 @@ std::vector<MesoVDMRays::Point> MesoVDMRays::Meet(
   return points;
 }
 
-bool MesoVDMRays::MeetBetween(const MesoHeightLine::Profile& profile, const double* rayDepths,
-  std::size_t cut, Point& point) const
+bool MesoVDMRays::MeetBetween(const MesoHeightLine::Profile& profile, const Fan& fan,
+  const Ray& ray, std::size_t cut, double before, double after, Point& point) const
 {
+  constexpr int MostSteps = 8;
   const double start = this->Line.GetOffsets()[cut];
   const double length = this->Line.GetOffsets()[cut + 1] - start;
-  const double before = profile.DepthAt(cut) - rayDepths[0];
-  const double after = profile.DepthAt(cut + 1) - rayDepths[2];
   double along = 0.;
   if (before > 0.)
   {
-    along =
-      FirstRoot(before, profile.DepthBetween(cut, 0.5 * length) - rayDepths[1], after, length);
+    const double middle = fan.Above(
+      fan.Arcs[2 * cut + 1], profile.DepthBetween(cut, 0.5 * length), ray.Cotangent);
+    along = FirstRoot(before, middle, after, length);
     if (along < 0.)
     {
       if (after > 0.)
@@ -181,6 +221,24 @@ bool MesoVDMRays::MeetBetween(const MesoHeightLine::Profile& profile, const doub
         return false;
       }
       along = length;
+    }
+    const auto above = [&](double place)
+    {
+      return fan.Above(
+        ArcOf(fan.Curvature, start + place), profile.DepthBetween(cut, place), ray.Cotangent);
+    };
+    const double apart = 1e-5 * length;
+    for (int step = 0; std::abs(fan.Curvature) * length > CoarseAngle && step < MostSteps; ++step)
+    {
+      const double value = above(along);
+      const double slope = (above(along + apart) - value) / apart;
+      const double next =
+        slope < 0. ? std::min(std::max(along - value / slope, 0.), length) : along;
+      if (std::abs(next - along) < apart)
+      {
+        break;
+      }
+      along = next;
     }
   }
   point.Offset = start + along;
@@ -203,6 +261,7 @@ double MesoVDMRays::Flattest(
   const auto riseOf = [](const Fan::Arc& arc, double depth)
   { return arc.Versine + depth * arc.Cosine; };
   const auto runOf = [c](const Fan::Arc& arc, double depth) { return (1. - c * depth) * arc.Sine; };
+  constexpr double Margin = 1e-4; // that the parabola may be off
   double best = HUGE_VAL;
   const double reach = 2. * std::acos(1. - c * this->Layout.Depth) / c;
   std::size_t cut = 1;
@@ -232,25 +291,35 @@ double MesoVDMRays::Flattest(
       best = value;
       point = { offsets[cut], end };
     }
-    if (cut == 1)
-    {
-      continue; // the first stretch begins at the entry, where the cotangent has no bound
-    }
-    // Between the cuts: the vertex of the parabola through both ends and the middle.
-    const double before = riseOf(near, profile.DepthAt(cut - 1)) / runOf(near, profile.DepthAt(cut - 1));
+    // Between the cuts: near the vertex of the parabola through both ends and the middle. At the entry itself
+    // the cotangent has no bound.
     const double depthMiddle = profile.DepthBetween(cut - 1, 0.5 * length);
     const Fan::Arc& between = fan.Arcs[2 * cut - 1];
     const double middle = riseOf(between, depthMiddle) / runOf(between, depthMiddle);
-    const double bend = before - 2. * middle + value;
-    const double shift = bend > 0. ? 0.25 * (before - value) / bend : 0.; // in lengths, from the middle
-    if (bend > 0. && std::abs(shift) < 0.5)
+    double vertex = std::min(middle, value);
+    double along = 0.5 * length;
+    if (cut > 1 && c * length <= CoarseAngle)
     {
-      const double vertex = middle - 0.125 * (before - value) * (before - value) / bend;
-      if (vertex < best)
+      const double before =
+        riseOf(near, profile.DepthAt(cut - 1)) / runOf(near, profile.DepthAt(cut - 1));
+      const double bend = before - 2. * middle + value;
+      const double shift = bend > 0. ? 0.25 * (before - value) / bend : 1.; // lengths from the middle
+      if (std::abs(shift) >= 0.5)
       {
-        const double along = (0.5 + shift) * length;
-        best = vertex;
-        point = { offsets[cut - 1] + along, profile.DepthBetween(cut - 1, along) };
+        continue;
+      }
+      vertex = middle - 0.125 * (before - value) * (before - value) / bend;
+      along += shift * length;
+    }
+    if (vertex < best + Margin || c * length > CoarseAngle)
+    {
+      along = FlattestBetween(profile, c, cut - 1, offsets[cut - 1], length, along);
+      const Point found = { offsets[cut - 1] + along, profile.DepthBetween(cut - 1, along) };
+      const double exact = Cotangent(c, found.Offset, found.Depth);
+      if (exact < best)
+      {
+        best = exact;
+        point = found;
       }
     }
   }

@@ -10,11 +10,11 @@
  * @class MesoVDMRays
  * @brief All rays of a table in one azimuth: where they meet the relief along a line over the map.
  *
- * The plane of ray and normal is bent about the centre of curvature, so a ray is a depth over the way
- * along the base (Shaders/Kernels/VDMTable.glsl), and meets the bilinear relief where that depth first
- * reaches the relief's. A flatter ray stays above a steeper one, so it meets the relief no nearer, and all
- * polar angles are served by one walk. Meetings are roots of parabolas between cuts: exact where the base is
- * flat, and where it is not to what a parabola through three points of the ray a texel apart leaves of it.
+ * The plane of ray and normal is bent about the centre of curvature (Shaders/Kernels/VDMTable.glsl). A ray
+ * meets the bilinear relief where a point of it is first seen from the entry at no steeper an angle. A
+ * flatter ray stays above a steeper one, so it meets the relief no nearer, and all polar angles are served by
+ * one walk. Meetings are roots of parabolas between cuts: exact where the base is flat; where a texel spans
+ * so large an angle at the centre that a parabola is not, they are polished.
  */
 class MesoVDMRays
 {
@@ -40,6 +40,7 @@ private:
   {
     double Sine;
     double Cosine;
+    double Cotangent;
     double End;   ///< offset at which it is at the bottom, or comes out of the base
     bool ComesOut; ///< it comes out before it gets to the bottom
   };
@@ -48,9 +49,6 @@ private:
   {
     double Curvature;
     std::vector<Ray> Rays;
-    /// Of each ray at the cuts of the line and in the middle between, alternating, up to its end; a row a
-    /// ray.
-    std::vector<double> Depths;
     /// Of the angle psi at the centre, at the cuts and in the middle between, alternating.
     struct Arc
     {
@@ -58,18 +56,27 @@ private:
       double Cosine;
       double Sine; ///< sin psi / c
     };
-    std::vector<Arc> Arcs; ///< of a convex base
+    std::vector<Arc> Arcs;
+
+    /// How far a point lies above a ray of this cotangent, seen along the entry's normal: continuous, and 0
+    /// on the ray, wherever the ray goes.
+    double Above(const Arc& arc, double depth, double cotangent) const
+    {
+      return arc.Versine + depth * arc.Cosine -
+        cotangent * (1. - this->Curvature * depth) * arc.Sine;
+    }
   };
 
   static double ReachOf(const MesoVDMLayout& layout);
+  static Fan::Arc ArcOf(double curvature, double offset);
   static Ray MakeRay(const MesoVDMLayout& layout, double curvature, int polar);
   Fan MakeFan(double curvature) const;
 
   /// Where the rays of a fan meet the relief: the first of them, the steepest, do.
   std::vector<Point> Meet(MesoHeightLine::Profile& profile, const Fan& fan) const;
-  /// Between a cut and the next, for the depths of a ray at the cut, in the middle and at the next.
-  bool MeetBetween(const MesoHeightLine::Profile& profile, const double* rayDepths, std::size_t cut,
-    Point& point) const;
+  /// Between a cut and the next, for how far the relief lies above the ray at both.
+  bool MeetBetween(const MesoHeightLine::Profile& profile, const Fan& fan, const Ray& ray,
+    std::size_t cut, double before, double after, Point& point) const;
   /// The point that is seen most flatly; result: cotangent of its polar angle.
   double Flattest(MesoHeightLine::Profile& profile, const Fan& fan, Point& point) const;
   /// Numbers of the first of a fan's rays, by the appendix from the points of curvature 0.
