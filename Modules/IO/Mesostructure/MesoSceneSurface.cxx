@@ -9,8 +9,8 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "gdm", "slices",
-  "shell-sdf" };
+const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "gdm",
+  "slices", "shell-sdf" };
 
 constexpr double MostFactors = 12.;
 
@@ -253,7 +253,7 @@ void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
   MesoMesostructureOptions& options = node.Mesostructure;
   const bool tabled = options.Technique == MesoTechnique::VDM;
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
-  if (tabled && options.Wrap != MesoWrap::Repeat)
+  if (options.Technique == MesoTechnique::VDM && options.Wrap != MesoWrap::Repeat)
   {
     value.At("wrap").Fail(technique + " has a table of a tile that repeats");
   }
@@ -381,8 +381,8 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("quality",
     [&](const MesoSceneValue& quality)
     {
-      options.Quality = quality.ToChoice<MesoQuality>(
-        "quality", &MesoQualityFromName, MesoQualityNames());
+      options.Quality =
+        quality.ToChoice<MesoQuality>("quality", &MesoQualityFromName, MesoQualityNames());
     });
   value.With("search",
     [&](const MesoSceneValue& search)
