@@ -362,8 +362,8 @@ MesoNormals MesoSceneBuilder::ReadNormals(
   return normals;
 }
 
-void MesoSceneBuilder::MakeMapper(const MesoSceneNode& node, Object& object,
-  const MesoNormals& normals, const std::string& inScene)
+void MesoSceneBuilder::MakeMapper(
+  const MesoSceneNode& node, Object& object, const MesoNormals& normals, const std::string& inScene)
 {
   if (object.Options.Technique == MesoTechnique::Relief ||
     MesoBendsRelief(object.Options.Technique))
@@ -414,8 +414,7 @@ void MesoSceneBuilder::MakeMapper(const MesoSceneNode& node, Object& object,
     vtkNew<vtkMesoVDMMapper> vdm;
     vdm->SetOptions(object.Options);
     vdm->SetHeightMap(object.HeightMap);
-    MesoSetVDMTable(
-      vdm, node.Baked, object.Mesh, inScene + ".mesostructure", this->Warnings);
+    MesoSetVDMTable(vdm, node.Baked, object.Mesh, inScene + ".mesostructure", this->Warnings);
     object.Mapper = vdm;
   }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
