@@ -2,6 +2,7 @@
 //   MESO_FRAME      the technique uses the tangent frame of the vertex
 //   MESO_CURVATURE  and its quadric
 //   MESO_DISPLACED  the mesh itself is the detail
+//   MESO_PRISMS     the mesh is a shell of prisms
 in vec2 mesoTCoord;
 in vec3 mesoNormal;
 uniform mat4 mesoMCVCMatrix;
@@ -12,6 +13,10 @@ out vec3 mesoNormalVCVSOutput;
 #ifdef MESO_DISPLACED
 in float mesoRelief; // depth in [0,1]
 out float mesoReliefVSOutput;
+#endif
+#ifdef MESO_PRISMS
+in float mesoPrism; // number of the prism
+flat out float mesoPrismVSOutput;
 #endif
 #ifdef MESO_FRAME
 in vec3 mesoTangent;

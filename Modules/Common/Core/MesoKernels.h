@@ -25,6 +25,12 @@
  *     circle (circlePath), cubics (cubicPath); with the functions of their bases
  *   MesoKernels::Float::QuadricExact, MesoKernels::Double::QuadricExact
  *     the same and acrossView, distanceAcross, leaveAcross
+ *   MesoKernels::Float::PrismGeometry, MesoKernels::Double::PrismGeometry
+ *     the structs Prism and PrismSpan; prismSpan, prismPlace, prismTangents, prismRates, prismNormal,
+ *     prismFaceNormal
+ *   MesoKernels::Float::Volume, MesoKernels::Double::Volume
+ *     signed distances (constructed as MesoVolumeTexture) with exactDistance, volumeGradient,
+ *     searchVolume
  *
  *   MesoKernels::Double::HeightField field(2, 1, MesoWrap::Repeat, { 0.f, 1.f });
  *   double height = field.bilinearHeight({ 0.5, 0.5 });
@@ -34,6 +40,7 @@
  */
 
 #include "MesoHeightTexture.h"
+#include "MesoVolumeTexture.h"
 
 namespace MesoKernels
 {
@@ -154,6 +161,19 @@ public:
 #include "MesoHorizonFloat.h"
 };
 
+class PrismGeometry
+{
+public:
+#include "MesoPrismFloat.h"
+};
+
+class Volume : public MesoVolumeTexture<float>
+{
+public:
+  using MesoVolumeTexture<float>::MesoVolumeTexture;
+#include "MesoVolumeFloat.h"
+};
+
 class HeightField : public MesoHeightTexture<float>
 {
 public:
@@ -266,6 +286,19 @@ class Horizon
 {
 public:
 #include "MesoHorizonDouble.h"
+};
+
+class PrismGeometry
+{
+public:
+#include "MesoPrismDouble.h"
+};
+
+class Volume : public MesoVolumeTexture<double>
+{
+public:
+  using MesoVolumeTexture<double>::MesoVolumeTexture;
+#include "MesoVolumeDouble.h"
 };
 
 class HeightField : public MesoHeightTexture<double>

@@ -15,6 +15,7 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
   { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" },
+  { MesoTechnique::ShellSDF, "shell-sdf" },
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
@@ -27,7 +28,9 @@ constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap
 constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" },
   { MesoEffect::Occlusion, "occlusion" }, { MesoEffect::SelfShadow, "self_shadow" },
   { MesoEffect::Depth, "depth" }, { MesoEffect::Silhouette, "silhouette" },
-  { MesoEffect::Curvature, "curvature" }, { MesoEffect::CastShadow, "cast_shadow" } };
+  { MesoEffect::Curvature, "curvature" }, { MesoEffect::CastShadow, "cast_shadow" },
+  { MesoEffect::OpenBoundary, "open_boundary" },
+  { MesoEffect::NonHeightField, "non_height_field" } };
 constexpr Entry<MesoQuadricKind> QuadricKinds[] = { { MesoQuadricKind::Full, "full" },
   { MesoQuadricKind::Diagonal, "diagonal" } };
 constexpr Entry<MesoCurvedKind> CurvedKinds[] = { { MesoCurvedKind::Quadric, "quadric" },
@@ -350,6 +353,10 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::ReliefQuadricExact:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
+    case MesoTechnique::ShellSDF:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
+        MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow,
+        MesoEffect::OpenBoundary, MesoEffect::NonHeightField };
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
         MesoEffect::Silhouette, MesoEffect::CastShadow };

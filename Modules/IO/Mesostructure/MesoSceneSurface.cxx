@@ -10,7 +10,7 @@
 namespace
 {
 const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "vdm", "gdm",
-  "slices", "shell-sdf" };
+  "slices" };
 const std::vector<std::string> LaterQualities = { "full" };
 
 /// A word of a list, for ToChoice.
@@ -353,6 +353,10 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("reference",
     [&](const MesoSceneValue& reference)
     { options.Reference = reference.ToNumber(MesoSceneRanges::Fraction); });
+  if (MesoUsesVolume(options.Technique) && !value.Has("reference"))
+  {
+    options.Reference = 0.;
+  }
   value.With("tiles",
     [&](const MesoSceneValue& tiles)
     { options.Tiles = tiles.ToNumbers<2>(MesoSceneRanges::Positive); });

@@ -7,6 +7,7 @@
 #include "MesoPolarity.h"
 #include "MesoScalarBar.h"
 #include "MesoSceneLights.h"
+#include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
@@ -22,6 +23,7 @@
 #include "vtkMesoReliefMapper.h"
 #include "vtkMesoShadowMapPass.h"
 #include "vtkMesoShapeSource.h"
+#include "vtkMesoShellMapper.h"
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkMesoTessellatedMapper.h"
 #include "vtkPlane.h"
@@ -398,6 +400,13 @@ void MesoSceneBuilder::MakeMapper(
     MesoSetBumpMaps(
       bump, object.HeightMap, object.Mesh, normals, inScene + ".mesostructure", this->Warnings);
     object.Mapper = bump;
+  }
+  else if (MesoUsesVolume(object.Options.Technique) && !MesoEffectsOn(object.Options).Empty())
+  {
+    object.Mesh = MesoMakeShell(object.Base, object.Options, inScene, this->Warnings);
+    vtkNew<vtkMesoShellMapper> shell;
+    shell->SetVolume(object.Volume);
+    object.Mapper = shell;
   }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
   {

@@ -69,6 +69,7 @@ void MesoShaderBuild::Define(const MesoShaderShape& shape)
   {
     define("MESO_FRAME", shape.UsesFrame);
     define("MESO_DISPLACED", shape.Displaced);
+    define("MESO_PRISMS", shape.Prisms);
     defines.insert(defines.end(), shape.Defines.begin(), shape.Defines.end());
     define("MESO_OCCLUSION", this->Caster); // the light sees the detail in any case
   }
