@@ -88,7 +88,7 @@ TEST(SceneRefusals, UnknownKeys)
 TEST(SceneRefusals, KnownButNotYetServed)
 {
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
-  for (const char* key : { "volume", "tile_mesh", "baked", "rank", "segments" })
+  for (const char* key : { "baked", "rank", "segments" })
   {
     EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
       std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");

@@ -141,17 +141,23 @@ struct MesoSceneMap
   std::optional<std::array<double, 2>> SampleSpacing; ///< object units a sample
 };
 
-/// Mesostructure that is no height field: a volume's file, or a built-in one.
+/// Mesostructure that is no height field: a volume's file, a mesh that fills a tile, or a built-in one.
 struct MesoSceneVolume
 {
   std::string File;    ///< resolved file name, or empty where Pattern is given
-  bool IsMesh = false; ///< the file is a closed mesh that fills one tile (tile_mesh)
+  bool IsMesh = false; ///< the file is a closed mesh (tile_mesh)
   std::string Pattern; ///< of MesoVolumePatternNames()
-  std::array<int, 3> Size = { 64, 64, 32 };
+  /// Voxels of the canonical volume; default: 64 x 64 x 32, of a file its own up to that many a side.
+  std::optional<std::array<int, 3>> Size;
   std::uint32_t Seed = 1;
   std::map<std::string, double> Parameters; ///< the pattern's further numbers by key
-  /// Stored numbers from here on are solid; default: the middle of what the file's type holds.
+  /// Stored numbers from here on are solid; default: the middle of what the file holds.
   std::optional<double> Threshold;
+  bool SolidBelow = false; ///< numbers below Threshold are solid
+  /// [x0, x1, y0, y1, z0, z1]: the part of the file that is the tile, in samples from 0, or, of a mesh,
+  /// in its own units; default: all of it.
+  std::optional<std::array<double, 6>> Crop;
+  double Blend = 0.; ///< of the tile's width and height, that is faded so that it tiles: [0, 0.5]
 };
 
 struct MesoSceneNode

@@ -2,6 +2,7 @@
 
 #include "MesoPattern.h"
 #include "MesoShape.h"
+#include "MesoVolumePattern.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -35,8 +36,10 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "mesostructure",
       { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
         "reference", "tiles", "wrap", "quality", "search", "quadric", "curved", "parallax",
-        "penumbra", "effects" },
-      { "volume", "tile_mesh", "baked", "rank", "segments" } },
+        "penumbra", "effects", "volume", "tile_mesh" },
+      { "baked", "rank", "segments" } },
+    { "volume_file", { "file", "threshold", "solid", "crop", "blend", "size" }, {} },
+    { "mesh_tile", { "file", "box", "size" }, {} },
   };
   for (const std::string& shape : MesoShapeNames())
   {
@@ -51,6 +54,15 @@ std::vector<MesoSceneKeyGroup> MakeTable()
   {
     MesoSceneKeyGroup group = { "pattern_" + pattern, { "pattern", "size", "seed" }, {} };
     for (const MesoParameter& parameter : MesoPatternParameters(pattern))
+    {
+      group.Served.push_back(parameter.Key);
+    }
+    table.push_back(group);
+  }
+  for (const std::string& pattern : MesoVolumePatternNames())
+  {
+    MesoSceneKeyGroup group = { "volume_" + pattern, { "pattern", "size", "seed" }, {} };
+    for (const MesoParameter& parameter : MesoVolumePatternParameters(pattern))
     {
       group.Served.push_back(parameter.Key);
     }

@@ -3,6 +3,8 @@
 #include "MesoColorMap.h"
 #include "MesoContourLines.h"
 #include "MesoPattern.h"
+#include "MesoSceneParameters.h"
+#include "MesoSceneVolume.h"
 #include "MesoShape.h"
 
 #include <algorithm>
@@ -13,44 +15,6 @@ const std::vector<std::string> LaterTechniques = { "displacement", "geometry-ima
   "slices" };
 const std::vector<std::string> LaterQualities = { "full" };
 
-/// A word of a list, for ToChoice.
-std::string ReadName(const MesoSceneValue& value, const std::string& kind,
-  const std::vector<std::string>& names, const std::vector<std::string>& later)
-{
-  const std::string name = value.ToText();
-  if (std::find(names.begin(), names.end(), name) == names.end())
-  {
-    value.FailChoice(kind, name, names, later);
-  }
-  return name;
-}
-
-/// A mesh or map that is no file name must be an object that says which built-in one is meant.
-void CheckNamesKind(const MesoSceneValue& value, const std::string& key)
-{
-  if (!value.Has(key))
-  {
-    value.Fail("must be a file name, or an object with the key " + key);
-  }
-}
-
-std::vector<double> ReadParameter(const MesoSceneValue& value, const MesoParameter& parameter)
-{
-  const MesoSceneRange range = { parameter.Minimum, parameter.Maximum, true };
-  const auto read = [&](const MesoSceneValue& element)
-  { return parameter.Integer ? element.ToInteger(range) : element.ToNumber(range); };
-  if (parameter.Default.size() == 1)
-  {
-    return { read(value) };
-  }
-  std::vector<double> numbers;
-  for (const MesoSceneValue& element : value.ToList(parameter.Default.size()))
-  {
-    numbers.push_back(read(element));
-  }
-  return numbers;
-}
-
 MesoSceneMap ReadMap(const MesoSceneValue& value)
 {
   MesoSceneMap map;
@@ -59,8 +23,8 @@ MesoSceneMap ReadMap(const MesoSceneValue& value)
     map.File = value.ToFileName();
     return map;
   }
-  CheckNamesKind(value, "pattern");
-  map.Pattern = ReadName(value.At("pattern"), "pattern", MesoPatternNames(), {});
+  MesoCheckNamesKind(value, "pattern");
+  map.Pattern = MesoReadName(value.At("pattern"), "pattern", MesoPatternNames(), {});
   value.CheckKeys("pattern_" + map.Pattern);
   value.With("size",
     [&](const MesoSceneValue& size)
@@ -70,18 +34,7 @@ MesoSceneMap ReadMap(const MesoSceneValue& value)
       map.Size = { static_cast<int>(list[0].ToInteger(texels)),
         static_cast<int>(list[1].ToInteger(texels)) };
     });
-  value.With("seed",
-    [&](const MesoSceneValue& seed)
-    {
-      const MesoSceneRange range = { 0., std::numeric_limits<std::uint32_t>::max(), true };
-      map.Seed = static_cast<std::uint32_t>(seed.ToInteger(range));
-    });
-  for (const MesoParameter& parameter : MesoPatternParameters(map.Pattern))
-  {
-    value.With(parameter.Key,
-      [&](const MesoSceneValue& number)
-      { map.Parameters[parameter.Key] = ReadParameter(number, parameter).front(); });
-  }
+  MesoReadPatternValues(value, MesoPatternParameters(map.Pattern), map.Seed, map.Parameters);
   // The values one by one are right; some do not go together.
   const std::string problem = MesoPatternProblem(map.Pattern, map.Parameters);
   if (!problem.empty())
@@ -124,7 +77,7 @@ void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
   value.CheckKeys("lookup_table");
   value.With("name",
     [&](const MesoSceneValue& name)
-    { colorBy.LookupTable = ReadName(name, "lookup table", MesoColorMapNames(), {}); });
+    { colorBy.LookupTable = MesoReadName(name, "lookup table", MesoColorMapNames(), {}); });
   value.With("range",
     [&](const MesoSceneValue& range)
     {
@@ -138,7 +91,7 @@ void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
 
 MesoSceneHeightUnit ReadValuesOf(const MesoSceneValue& value)
 {
-  return ReadName(value, "kind of values", { "height", "map" }, {}) == "map"
+  return MesoReadName(value, "kind of values", { "height", "map" }, {}) == "map"
     ? MesoSceneHeightUnit::Map
     : MesoSceneHeightUnit::Height;
 }
@@ -213,7 +166,8 @@ MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique techniqu
   MesoEffectChoice choice;
   if (value.IsString())
   {
-    const std::string word = ReadName(value, "choice of effects", { "auto", "all", "none" }, {});
+    const std::string word =
+      MesoReadName(value, "choice of effects", { "auto", "all", "none" }, {});
     choice.Auto = word == "auto";
     choice.Named = word == "all" ? provided : MesoEffects();
     return choice;
@@ -247,14 +201,14 @@ MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
     mesh.File = value.ToFileName();
     return mesh;
   }
-  CheckNamesKind(value, "shape");
-  mesh.Shape = ReadName(value.At("shape"), "shape", MesoShapeNames(), {});
+  MesoCheckNamesKind(value, "shape");
+  mesh.Shape = MesoReadName(value.At("shape"), "shape", MesoShapeNames(), {});
   value.CheckKeys("shape_" + mesh.Shape);
   for (const MesoParameter& parameter : MesoShapeParameters(mesh.Shape))
   {
     value.With(parameter.Key,
       [&](const MesoSceneValue& numbers)
-      { mesh.Parameters[parameter.Key] = ReadParameter(numbers, parameter); });
+      { mesh.Parameters[parameter.Key] = MesoReadParameter(numbers, parameter); });
   }
   const std::string problem = MesoShapeProblem(mesh.Shape, mesh.Parameters);
   if (!problem.empty())
@@ -288,7 +242,7 @@ MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value)
   }
   value.With("normal_map_y",
     [&](const MesoSceneValue& way) {
-      material.NormalMapDown = ReadName(way, "way of green", { "up", "down" }, {}) == "down";
+      material.NormalMapDown = MesoReadName(way, "way of green", { "up", "down" }, {}) == "down";
     });
   if (value.Has("color_by"))
   {
@@ -408,6 +362,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });
 
+  node.Volume = MesoReadSceneVolume(value);
   if (value.Has("height_map"))
   {
     value.Refuse(
