@@ -191,6 +191,41 @@ MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique techniqu
   }
   return choice;
 }
+
+/// What is said of a volume's shell; the volume itself has been read.
+void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
+{
+  MesoMesostructureOptions& options = node.Mesostructure;
+  const std::string technique = std::string("technique ") + MesoName(options.Technique);
+  if (!MesoUsesVolume(options.Technique))
+  {
+    value.Refuse({ "segments" }, technique + " has no prisms that rays run through");
+    return;
+  }
+  if (!node.Volume)
+  {
+    value.Fail(technique + " needs a volume or a tile_mesh");
+  }
+  if (!value.Has("scale"))
+  {
+    value.Fail(technique + " needs scale, the thickness of its shell in object units");
+  }
+  if (options.Scale == 0.)
+  {
+    value.At("scale").Fail("a shell needs some thickness");
+  }
+  if (!value.Has("reference"))
+  {
+    options.Reference = 0.;
+  }
+  if (options.Wrap != MesoWrap::Repeat)
+  {
+    value.At("wrap").Fail("a volume repeats");
+  }
+  value.With("segments",
+    [&](const MesoSceneValue& number)
+    { options.Segments = static_cast<int>(number.ToInteger({ 1., MesoMostSegments, true })); });
+}
 }
 
 MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
@@ -307,10 +342,6 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("reference",
     [&](const MesoSceneValue& reference)
     { options.Reference = reference.ToNumber(MesoSceneRanges::Fraction); });
-  if (MesoUsesVolume(options.Technique) && !value.Has("reference"))
-  {
-    options.Reference = 0.;
-  }
   value.With("tiles",
     [&](const MesoSceneValue& tiles)
     { options.Tiles = tiles.ToNumbers<2>(MesoSceneRanges::Positive); });
@@ -363,6 +394,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     { options.Effects = ReadEffects(effects, options.Technique); });
 
   node.Volume = MesoReadSceneVolume(value);
+  ReadShell(value, node);
   if (value.Has("height_map"))
   {
     value.Refuse(

@@ -9,6 +9,7 @@
 #include "MesoSceneLights.h"
 #include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
+#include "MesoVolumeInput.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -435,6 +436,12 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       heights = this->MakeHeights(*node.Map, inScene + ".mesostructure");
       object.HeightMap = heights.Image;
+    }
+    if (node.Volume && MesoUsesVolume(node.Mesostructure.Technique))
+    {
+      MesoCheckShellMaterial(node.Material, inScene);
+      object.Volume =
+        MesoReadVolume(*node.Volume, inScene + ".mesostructure.volume", this->Warnings);
     }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
