@@ -45,6 +45,11 @@ void ShowAllDetail(std::vector<MesoSceneNode>& nodes)
       node.Mesostructure.Technique = MesoTechnique::Relief;
       node.Mesostructure.Effects = MesoEffectChoice();
     }
+    if (MesoUsesVolume(node.Mesostructure.Technique))
+    {
+      node.Mesostructure.Technique = MesoTechnique::ShellSDF;
+      node.Mesostructure.Effects = MesoEffectChoice();
+    }
     ShowAllDetail(node.Children);
   }
 }
@@ -274,7 +279,7 @@ MesoReference::Implementation::Sample MesoReference::Implementation::Look(double
 
   // To the camera's position, as VTK takes it, in parallel projection as well.
   const glm::dvec3 eye = glm::normalize(this->Camera.Position - place);
-  const bool all = shadowsOnPlain || surface.IsDisplaced();
+  const bool all = shadowsOnPlain || surface.HasDetail();
   sample.Color = this->Materials[sample.At.Object].Shade(this->Lights,
     all ? blocked : this->CastOn(sample, blocked), place, sample.Point.Shading, eye,
     sample.Point.MapCoord);
