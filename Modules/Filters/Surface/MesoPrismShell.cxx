@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace
 {
@@ -92,7 +93,7 @@ public:
   MesoPrismShell Make()
   {
     MesoPrismShell shell = this->Extrude();
-    constexpr int mostRounds = 30;
+    constexpr int mostRounds = 100;
     for (int round = 0; this->Input.Clamp && round < mostRounds && this->Thin(shell); ++round)
     {
       const std::vector<std::int64_t> inverted = shell.Inverted;
@@ -175,21 +176,23 @@ private:
   /// Lowers the corners of the prisms that turn over; false where there are none.
   bool Thin(const MesoPrismShell& shell)
   {
-    constexpr double step = 0.8;
-    bool any = false;
+    constexpr double step = 0.9;
+    std::set<std::int64_t> lowered;
     for (const MesoPrism& prism : shell.Prisms)
     {
       if (!(MesoLeastJacobian(prism) > 0.))
       {
-        any = true;
         for (std::int64_t point : prism.Points)
         {
-          double& rise = this->Rises[this->Sites[point]];
-          rise = std::max(step * rise, 0.);
+          lowered.insert(this->Sites[point]);
         }
       }
     }
-    return any;
+    for (std::int64_t site : lowered)
+    {
+      this->Rises[site] *= step;
+    }
+    return !lowered.empty();
   }
 
   const MesoPrismShellInput& Input;
@@ -225,6 +228,19 @@ MesoPrismShell MesoMakePrismShell(const MesoPrismShellInput& input)
 
 double MesoLeastJacobian(const MesoPrism& prism)
 {
+  // Where all shrink to a point and grow again beyond it, the determinant only touches 0: edges turn round.
+  int reversed = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const MesoVector below = MesoDifference(prism.Bottom[(k + 1) % 3], prism.Bottom[k]);
+    const MesoVector above =
+      MesoSum(below, MesoDifference(prism.Rise[(k + 1) % 3], prism.Rise[k]));
+    reversed += MesoDot(below, above) <= 0. ? 1 : 0;
+  }
+  if (reversed == 3)
+  {
+    return 0.;
+  }
   // For a fixed z it is linear over the triangle, and in z a quadratic: its least is over a corner.
   const MesoVector e1 = MesoDifference(prism.Bottom[1], prism.Bottom[0]);
   const MesoVector e2 = MesoDifference(prism.Bottom[2], prism.Bottom[0]);

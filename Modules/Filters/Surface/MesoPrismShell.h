@@ -64,7 +64,7 @@ struct MesoPrismShell
 MesoPrismShell MesoMakePrismShell(const MesoPrismShellInput& input);
 
 /// The least of the Jacobian's determinant in a prism over its size at the prism's middle; at most 0
-/// where the prism turns over or has no volume.
+/// where the prism turns over, passes through a point, or has no volume.
 double MesoLeastJacobian(const MesoPrism& prism);
 
 #endif
