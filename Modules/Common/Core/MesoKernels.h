@@ -10,6 +10,9 @@
  *     evenContours, oneContour
  *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
  *     solveFrame, tiltedNormal
+ *   MesoKernels::Float::GDMFactors, GDMWhole and those of Double
+ *     a table of distances through a volume (constructed as MesoGDMTexels), as factors or whole, with
+ *     gdmLevel, gdmAzimuth, gdmPolar and gdmDistance
  *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
  *     a height map (constructed as MesoHeightTexture) with wrapTexel, bilinearHeight,
  *     heightGradient, patchGradient, searchLinearBinary, searchLinearSecant, occludedLinear, and the
@@ -39,6 +42,7 @@
  * -ffp-contract=off, which linking to Meso::CommonCore sets, lest results differ with the machine.
  */
 
+#include "MesoGDMTexels.h"
 #include "MesoHeightTexture.h"
 #include "MesoVolumeTexture.h"
 
@@ -153,6 +157,24 @@ class QuadricExact : public Quadric
 {
 public:
 #include "MesoQuadricExactFloat.h"
+};
+
+class GDMFactors : public MesoGDMTexels<float>
+{
+public:
+  using MesoGDMTexels<float>::MesoGDMTexels;
+#include "MesoGDMTableFloat.h"
+//
+#include "MesoGDMFactorsFloat.h"
+};
+
+class GDMWhole : public MesoGDMTexels<float>
+{
+public:
+  using MesoGDMTexels<float>::MesoGDMTexels;
+#include "MesoGDMTableFloat.h"
+//
+#include "MesoGDMWholeFloat.h"
 };
 
 class Horizon
@@ -280,6 +302,24 @@ class QuadricExact : public Quadric
 {
 public:
 #include "MesoQuadricExactDouble.h"
+};
+
+class GDMFactors : public MesoGDMTexels<double>
+{
+public:
+  using MesoGDMTexels<double>::MesoGDMTexels;
+#include "MesoGDMTableDouble.h"
+//
+#include "MesoGDMFactorsDouble.h"
+};
+
+class GDMWhole : public MesoGDMTexels<double>
+{
+public:
+  using MesoGDMTexels<double>::MesoGDMTexels;
+#include "MesoGDMTableDouble.h"
+//
+#include "MesoGDMWholeDouble.h"
 };
 
 class Horizon

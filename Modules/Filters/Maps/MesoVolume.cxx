@@ -40,13 +40,7 @@ struct Cell
       low[axis] = static_cast<int>(floor);
       this->Weight[axis] = place - floor;
     }
-    for (int c = 0; c < 8; ++c)
-    {
-      const int x = c & 1;
-      const int y = (c >> 1) & 1;
-      const int z = c >> 2;
-      this->Corner[z][y][x] = field.Sample(low[0] + x, low[1] + y, low[2] + z);
-    }
+    field.Corners(low[0], low[1], low[2], this->Corner);
   }
 
   static double Mix(double a, double b, double t) { return a + (b - a) * t; }
@@ -147,6 +141,24 @@ double MesoVolumeField::Sample(int i, int j, int k) const
   const std::size_t row = Wrapped(j, this->Size[1]);
   const std::size_t slice = std::clamp(k, 0, this->Size[2] - 1);
   return this->Values[(slice * this->Size[1] + row) * this->Size[0] + column];
+}
+
+void MesoVolumeField::Corners(int i, int j, int k, double (&corner)[2][2][2]) const
+{
+  const int columns[2] = { Wrapped(i, this->Size[0]), Wrapped(i + 1, this->Size[0]) };
+  const int rows[2] = { Wrapped(j, this->Size[1]), Wrapped(j + 1, this->Size[1]) };
+  const int last = this->Size[2] - 1;
+  const int slices[2] = { std::clamp(k, 0, last), std::clamp(k + 1, 0, last) };
+  for (int z = 0; z < 2; ++z)
+  {
+    for (int y = 0; y < 2; ++y)
+    {
+      const float* row =
+        this->Values.data() + (std::size_t(slices[z]) * this->Size[1] + rows[y]) * this->Size[0];
+      corner[z][y][0] = row[columns[0]];
+      corner[z][y][1] = row[columns[1]];
+    }
+  }
 }
 
 double MesoVolumeField::At(const Vector& position) const

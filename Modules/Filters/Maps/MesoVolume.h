@@ -57,6 +57,8 @@ public:
 
   /// A sample; i and j are wrapped, k is clamped.
   double Sample(int i, int j, int k) const;
+  /// The eight samples from (i, j, k) on, by z, y, x.
+  void Corners(int i, int j, int k, double (&corner)[2][2][2]) const;
   double At(const Vector& position) const;
   /// Of the interpolant itself, in tile widths: discontinuous from cell to cell.
   Vector Gradient(const Vector& position) const;

@@ -98,6 +98,14 @@ struct MesoSceneScalarBar
   MesoSceneHeightUnit ValuesOf = MesoSceneHeightUnit::Height; ///< of heights
 };
 
+/// Which triangles of a mesh are meant: those where the mean of their corners' value lies in a range.
+struct MesoScenePart
+{
+  std::string By;               ///< x, y, z, u, v, or the name of a point array
+  std::optional<int> Component; ///< of an array; without one: the magnitude of the tuple
+  std::array<double, 2> Range = { 0., 1. }; ///< from, up to but without
+};
+
 struct MesoSceneMaterial
 {
   MesoVector3 Color = { 1., 1., 1. };
@@ -166,6 +174,7 @@ struct MesoSceneNode
   /// Row-major; what `matrix` or translate * rotate * scale say.
   std::array<double, 16> Matrix = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   std::optional<MesoSceneMesh> Mesh;
+  std::optional<MesoScenePart> Part; ///< of the mesh; without one: all of it
   MesoSceneMaterial Material;
   MesoMesostructureOptions Mesostructure;
   std::optional<MesoSceneMap> Map;

@@ -8,6 +8,8 @@
 #include "MesoShape.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace
 {
@@ -44,32 +46,47 @@ MesoSceneMap ReadMap(const MesoSceneValue& value)
   return map;
 }
 
-/// "NAME" or "NAME[component]".
-MesoSceneColorBy ReadColorBy(const MesoSceneValue& value)
+/// "NAME" or "NAME[component]": the name, and the component where there is one.
+std::pair<std::string, std::optional<int>> ReadArrayName(const MesoSceneValue& value)
 {
   const std::string text = value.ToText();
-  MesoSceneColorBy colorBy;
-  colorBy.Array = text;
-  if (text.back() == ']')
+  if (text.back() != ']')
   {
-    constexpr std::size_t mostDigits = 4;
-    const std::size_t bracket = text.rfind('[');
-    const std::string digits =
-      bracket == std::string::npos ? "" : text.substr(bracket + 1, text.size() - bracket - 2);
-    if (bracket == 0 || digits.empty() || digits.size() > mostDigits ||
-      digits.find_first_not_of("0123456789") != std::string::npos)
-    {
-      value.Fail(
-        "must be the name of a point array, or NAME[i] with a component's number i from 0 on");
-    }
-    colorBy.Array = text.substr(0, bracket);
-    colorBy.Component = std::stoi(digits);
+    return { text, std::nullopt };
   }
+  constexpr std::size_t mostDigits = 4;
+  const std::size_t bracket = text.rfind('[');
+  const std::string digits =
+    bracket == std::string::npos ? "" : text.substr(bracket + 1, text.size() - bracket - 2);
+  if (bracket == 0 || digits.empty() || digits.size() > mostDigits ||
+    digits.find_first_not_of("0123456789") != std::string::npos)
+  {
+    value.Fail(
+      "must be the name of a point array, or NAME[i] with a component's number i from 0 on");
+  }
+  return { text.substr(0, bracket), std::stoi(digits) };
+}
+
+MesoSceneColorBy ReadColorBy(const MesoSceneValue& value)
+{
+  MesoSceneColorBy colorBy;
+  std::tie(colorBy.Array, colorBy.Component) = ReadArrayName(value);
   if (colorBy.IsHeight() && colorBy.Component)
   {
     value.Fail("height has no components");
   }
   return colorBy;
+}
+
+/// [from, to], the one less than the other.
+std::array<double, 2> ReadRange(const MesoSceneValue& value)
+{
+  const auto range = value.ToNumbers<2>();
+  if (!(range[0] < range[1]))
+  {
+    value.Fail("the first number must be less than the second");
+  }
+  return range;
 }
 
 void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
@@ -78,15 +95,7 @@ void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
   value.With("name",
     [&](const MesoSceneValue& name)
     { colorBy.LookupTable = MesoReadName(name, "lookup table", MesoColorMapNames(), {}); });
-  value.With("range",
-    [&](const MesoSceneValue& range)
-    {
-      colorBy.Range = range.ToNumbers<2>();
-      if (!((*colorBy.Range)[0] < (*colorBy.Range)[1]))
-      {
-        range.Fail("the first number must be less than the second");
-      }
-    });
+  value.With("range", [&](const MesoSceneValue& range) { colorBy.Range = ReadRange(range); });
 }
 
 MesoSceneHeightUnit ReadValuesOf(const MesoSceneValue& value)
@@ -251,6 +260,15 @@ MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
     value.Fail(problem);
   }
   return mesh;
+}
+
+MesoScenePart MesoReadScenePart(const MesoSceneValue& value)
+{
+  value.CheckKeys("part");
+  MesoScenePart part;
+  std::tie(part.By, part.Component) = ReadArrayName(value.At("by"));
+  part.Range = ReadRange(value.At("range"));
+  return part;
 }
 
 MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value)
@@ -434,15 +452,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   {
     value.Fail("technique " + name + " needs scale, the height of its relief in object units");
   }
-  value.With("range",
-    [&](const MesoSceneValue& range)
-    {
-      node.Map->Range = range.ToNumbers<2>();
-      if (!((*node.Map->Range)[0] < (*node.Map->Range)[1]))
-      {
-        range.Fail("the first number must be less than the second");
-      }
-    });
+  value.With("range", [&](const MesoSceneValue& range) { node.Map->Range = ReadRange(range); });
   value.With("sample_spacing",
     [&](const MesoSceneValue& spacing)
     { node.Map->SampleSpacing = spacing.ToNumbers<2>(MesoSceneRanges::Positive); });

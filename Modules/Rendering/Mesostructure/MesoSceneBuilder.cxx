@@ -6,6 +6,7 @@
 #include "MesoMapInput.h"
 #include "MesoPolarity.h"
 #include "MesoScalarBar.h"
+#include "MesoSceneArrays.h"
 #include "MesoSceneLights.h"
 #include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
@@ -445,13 +446,18 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
-        (node.Material.ColorBy && MesoColorNeedsFrames(*node.Material.ColorBy)));
+        (node.Material.ColorBy && MesoArrayNeedsFrames(node.Material.ColorBy->Array)) ||
+        (node.Part && MesoArrayNeedsFrames(node.Part->By)));
     MesoCheckSampleSpacing(
       node, object.HeightMap, object.Base, inScene + ".mesostructure", this->Warnings);
     if (node.Material.ColorBy && !node.Material.ColorBy->IsHeight())
     {
-      object.Base = MesoWithColorArray(
-        object.Base, *node.Material.ColorBy, inScene + ".material.color_by", this->Warnings);
+      object.Base = MesoWithArray(object.Base, node.Material.ColorBy->Array,
+        node.Material.ColorBy->Component, inScene + ".material.color_by", this->Warnings);
+    }
+    if (node.Part)
+    {
+      object.Base = MesoPartOfMesh(object.Base, *node.Part, inScene + ".part", this->Warnings);
     }
     vtkNew<vtkMatrix4x4> userMatrix;
     userMatrix->DeepCopy(matrix.data());
