@@ -23,6 +23,8 @@
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross
+ *   MesoKernels::Float::VDMTable, MesoKernels::Double::VDMTable
+ *     what a table of distances over view and curvature holds: vdmDirection, vdmPoint, vdmNumber, ...
  *   MesoKernels::Float::AcrossField, CircleField, CubicField and those of Double
  *     a height map with paths of other kinds: depths across the view ray (acrossPath), below a
  *     circle (circlePath), cubics (cubicPath); with the functions of their bases
@@ -196,6 +198,12 @@ public:
 #include "MesoVolumeFloat.h"
 };
 
+class VDMTable
+{
+public:
+#include "MesoVDMTableFloat.h"
+};
+
 class HeightField : public MesoHeightTexture<float>
 {
 public:
@@ -339,6 +347,12 @@ class Volume : public MesoVolumeTexture<double>
 public:
   using MesoVolumeTexture<double>::MesoVolumeTexture;
 #include "MesoVolumeDouble.h"
+};
+
+class VDMTable
+{
+public:
+#include "MesoVDMTableDouble.h"
 };
 
 class HeightField : public MesoHeightTexture<double>

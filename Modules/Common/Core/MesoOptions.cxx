@@ -14,12 +14,11 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::NormalObject, "normal-object" }, { MesoTechnique::Parallax, "parallax" },
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
-  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" },
-  { MesoTechnique::ShellSDF, "shell-sdf" },
-  { MesoTechnique::Tessellated, "tessellated" } };
+  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::VDM, "vdm" },
+  { MesoTechnique::ShellSDF, "shell-sdf" }, { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
-  { MesoQuality::Certified, "certified" } };
+  { MesoQuality::Certified, "certified" }, { MesoQuality::Full, "full" } };
 constexpr Entry<MesoSearch> Searches[] = { { MesoSearch::LinearBinary, "linear-binary" },
   { MesoSearch::LinearSecant, "linear-secant" }, { MesoSearch::Cone, "cone" },
   { MesoSearch::Certified, "certified" } };
@@ -351,6 +350,7 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
         MesoEffect::Depth, MesoEffect::CastShadow };
     case MesoTechnique::ReliefQuadric:
     case MesoTechnique::ReliefQuadricExact:
+    case MesoTechnique::VDM:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
     case MesoTechnique::ShellSDF:
@@ -387,6 +387,12 @@ MesoSearch MesoSearchOf(const MesoMesostructureOptions& options)
 std::string MesoSearchProblem(const MesoMesostructureOptions& options)
 {
   const bool certified = options.Quality == MesoQuality::Certified;
+  if (options.Quality == MesoQuality::Full && options.Technique != MesoTechnique::VDM &&
+    options.Technique != MesoTechnique::GDM)
+  {
+    return std::string("technique ") + MesoName(options.Technique) +
+      " has no quality full: it has no table";
+  }
   if (!MesoHasSearches(options.Technique))
   {
     const std::string technique = std::string("technique ") + MesoName(options.Technique);

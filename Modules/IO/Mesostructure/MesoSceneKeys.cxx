@@ -38,8 +38,8 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "mesostructure",
       { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
         "reference", "tiles", "wrap", "quality", "search", "quadric", "curved", "parallax",
-        "penumbra", "effects", "volume", "tile_mesh", "segments" },
-      { "baked", "rank" } },
+        "penumbra", "baked", "rank", "effects", "volume", "tile_mesh", "segments" },
+      {} },
     { "volume_file", { "file", "threshold", "solid", "crop", "blend", "size" }, {} },
     { "mesh_tile", { "file", "box", "size" }, {} },
   };

@@ -10,6 +10,7 @@
 #include "MesoSceneLights.h"
 #include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
+#include "MesoVDMInput.h"
 #include "MesoVolumeInput.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
@@ -28,6 +29,7 @@
 #include "vtkMesoShellMapper.h"
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkMesoTessellatedMapper.h"
+#include "vtkMesoVDMMapper.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -365,7 +367,7 @@ MesoNormals MesoSceneBuilder::ReadNormals(
 }
 
 void MesoSceneBuilder::MakeMapper(
-  Object& object, const MesoNormals& normals, const std::string& inScene)
+  const MesoSceneNode& node, Object& object, const MesoNormals& normals, const std::string& inScene)
 {
   if (object.Options.Technique == MesoTechnique::Relief ||
     MesoBendsRelief(object.Options.Technique))
@@ -410,6 +412,22 @@ void MesoSceneBuilder::MakeMapper(
     shell->SetVolume(object.Volume);
     object.Mapper = shell;
   }
+  else if (object.Options.Technique == MesoTechnique::VDM)
+  {
+    if (object.Options.Reference != 1. && !MesoEffectsOn(object.Options).Empty())
+    {
+      object.Mesh = this->Moved(object, inScene + ".mesh");
+    }
+    if (MesoEffectsOn(object.Options).Has(MesoEffect::Curvature))
+    {
+      object.Mesh = this->WithQuadrics(object.Mesh, object.Options.Quadric, inScene + ".mesh");
+    }
+    vtkNew<vtkMesoVDMMapper> vdm;
+    vdm->SetOptions(object.Options);
+    vdm->SetHeightMap(object.HeightMap);
+    MesoSetVDMTable(vdm, node.Baked, object.Mesh, inScene + ".mesostructure", this->Warnings);
+    object.Mapper = vdm;
+  }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
   {
     object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
@@ -444,6 +462,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       object.Volume =
         MesoReadVolume(*node.Volume, inScene + ".mesostructure.volume", this->Warnings);
     }
+    if (node.Mesostructure.Technique == MesoTechnique::VDM && !node.Map && !node.Baked.empty())
+    {
+      object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
+    }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
         (node.Material.ColorBy && MesoArrayNeedsFrames(node.Material.ColorBy->Array)) ||
@@ -472,7 +494,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
-    this->MakeMapper(object, normals, inScene);
+    this->MakeMapper(node, object, normals, inScene);
     object.Mapper->SetOptions(node.Mesostructure);
     object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
         ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")
