@@ -8,6 +8,8 @@
  * The same text as the shaders': each function's meaning, spaces, units and source stand there.
  *   MesoKernels::Float::Contour, MesoKernels::Double::Contour
  *     evenContours, oneContour
+ *   MesoKernels::Float::Grid, MesoKernels::Double::Grid
+ *     latticePoint, stepOnEdge, perMapCoord, displacedNormal
  *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
  *     solveFrame, tiltedNormal
  *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
@@ -136,6 +138,14 @@ public:
 #include "MesoFrameFloat.h"
 };
 
+class Grid
+{
+public:
+#include "MesoBarycentricGridFloat.h"
+//
+#include "MesoDisplacedNormalFloat.h"
+};
+
 class Quadric
 {
 public:
@@ -248,6 +258,14 @@ class Frame
 {
 public:
 #include "MesoFrameDouble.h"
+};
+
+class Grid
+{
+public:
+#include "MesoBarycentricGridDouble.h"
+//
+#include "MesoDisplacedNormalDouble.h"
 };
 
 class Quadric

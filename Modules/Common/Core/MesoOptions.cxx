@@ -15,6 +15,8 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
   { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" },
+  { MesoTechnique::Displacement, "displacement" },
+  { MesoTechnique::GeometryImage, "geometry-image" },
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
@@ -329,6 +331,11 @@ double MesoFacetsPerTexel(MesoQuality quality)
   return 1.;
 }
 
+double MesoFacetPixels(MesoQuality quality)
+{
+  return 2. / MesoFacetsPerTexel(quality);
+}
+
 MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
 {
   switch (technique)
@@ -350,6 +357,11 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::ReliefQuadricExact:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
+    case MesoTechnique::Displacement:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
+        MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
+    case MesoTechnique::GeometryImage:
+      return { MesoEffect::Shading, MesoEffect::CastShadow };
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
         MesoEffect::Silhouette, MesoEffect::CastShadow };

@@ -9,8 +9,8 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "vdm", "gdm",
-  "slices", "shell-sdf" };
+const std::vector<std::string> LaterTechniques = { "vdm", "gdm", "slices",
+  "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "full" };
 
 /// A word of a list, for ToChoice.
@@ -394,11 +394,22 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("penumbra",
     [&](const MesoSceneValue& angle)
     {
-      if (options.Technique != MesoTechnique::Horizon)
+      if (options.Technique != MesoTechnique::Horizon &&
+        options.Technique != MesoTechnique::Displacement)
       {
         angle.Fail("technique " + name + " has no penumbra");
       }
       options.Penumbra = angle.ToNumber({ 0., 90., true });
+    });
+  value.With("facet_pixels",
+    [&](const MesoSceneValue& pixels)
+    {
+      if (options.Technique != MesoTechnique::Displacement &&
+        options.Technique != MesoTechnique::GeometryImage)
+      {
+        pixels.Fail("technique " + name + " does not cut by pixels");
+      }
+      options.FacetPixels = pixels.ToNumber(MesoSceneRanges::NotNegative);
     });
   value.With("effects",
     [&](const MesoSceneValue& effects)

@@ -15,6 +15,7 @@
 #include "vtkMesoBaseImage.h"
 #include "vtkMesoBumpMapper.h"
 #include "vtkMesoDisplacedMesh.h"
+#include "vtkMesoDisplacementMapper.h"
 #include "vtkMesoImageReader.h"
 #include "vtkMesoMeshReader.h"
 #include "vtkMesoMovedMesh.h"
@@ -126,6 +127,20 @@ void CheckPolarity(const MesoSceneMap& map, vtkImageData* heights, const MesoNor
   {
     warnings.push_back(inScene + ".mesostructure: the material's normal map says that this is a " +
       (map.IsDepth ? "height_map, not a depth_map" : "depth_map, not a height_map"));
+  }
+}
+
+/// What comes with displaced geometry cannot be had apart.
+void CheckGeometryEffects(const MesoMesostructureOptions& options, const std::string& place)
+{
+  const MesoEffects effects = MesoEffectsOn(options);
+  const MesoEffects ofGeometry = { MesoEffect::Occlusion, MesoEffect::Depth,
+    MesoEffect::Silhouette };
+  if (!effects.Without({ MesoEffect::CastShadow }).Empty() && !ofGeometry.Without(effects).Empty())
+  {
+    throw MesoInputError(place + ": technique " + MesoName(options.Technique) +
+      " shows occlusion, depth and silhouette together: all of them must be among its effects, or no "
+      "effect at all");
   }
 }
 
@@ -278,14 +293,7 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
   {
     return object.Base;
   }
-  const MesoEffects ofGeometry = { MesoEffect::Occlusion, MesoEffect::Depth,
-    MesoEffect::Silhouette };
-  if (!ofGeometry.Without(effects).Empty())
-  {
-    throw MesoInputError(place +
-      ": technique tessellated shows occlusion, depth and silhouette together: all of them must be "
-      "among its effects, or no effect at all");
-  }
+  CheckGeometryEffects(object.Options, place);
   vtkNew<vtkMesoDisplacedMesh> diced;
   diced->SetInputData(object.Base);
   diced->SetHeightMapData(object.HeightMap);
@@ -398,6 +406,20 @@ void MesoSceneBuilder::MakeMapper(
     MesoSetBumpMaps(
       bump, object.HeightMap, object.Mesh, normals, inScene + ".mesostructure", this->Warnings);
     object.Mapper = bump;
+  }
+  else if (object.Options.Technique == MesoTechnique::Displacement)
+  {
+    CheckGeometryEffects(object.Options, inScene + ".mesostructure");
+    vtkNew<vtkMesoDisplacementMapper> displacement;
+    displacement->SetHeightMap(object.HeightMap);
+    if (object.Options.Scale > 0. && MesoEffectsOn(object.Options).Has(MesoEffect::SelfShadow))
+    {
+      double scale = 0.;
+      const auto horizons = MesoMakeHorizons(object.HeightMap, object.Mesh, object.Options, scale,
+        inScene + ".mesostructure", this->Warnings);
+      displacement->SetHorizonMap(horizons, scale);
+    }
+    object.Mapper = displacement;
   }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
   {

@@ -156,6 +156,8 @@ protected:
   virtual MesoTechniqueShader* GetTechnique();
   /// Called after the options have changed.
   virtual void OptionsChanged() {}
+  /// Bytes of the GPU that a class takes for geometry of its own.
+  virtual std::size_t GetGeometryBytes() const { return 0; }
   /// The technique that this class draws with some options.
   virtual MesoTechnique TechniqueOf(const MesoMesostructureOptions& options) const;
 
