@@ -9,8 +9,8 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "vdm", "gdm", "slices",
-  "shell-sdf" };
+const std::vector<std::string> LaterTechniques = { "geometry-image", "vdm", "gdm",
+  "slices", "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "full" };
 
 /// A word of a list, for ToChoice.
@@ -404,8 +404,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("facet_pixels",
     [&](const MesoSceneValue& pixels)
     {
-      if (options.Technique != MesoTechnique::Displacement &&
-        options.Technique != MesoTechnique::GeometryImage)
+      if (options.Technique != MesoTechnique::Displacement)
       {
         pixels.Fail("technique " + name + " does not cut by pixels");
       }

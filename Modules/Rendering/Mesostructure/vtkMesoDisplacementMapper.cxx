@@ -87,9 +87,10 @@ vtkImageData* vtkMesoDisplacementMapper::GetHorizonMap()
   return this->Displacement->GetHorizon().GetHorizonMap();
 }
 
-std::int64_t vtkMesoDisplacementMapper::GetNumberOfTrianglesDrawn() const
+std::int64_t vtkMesoDisplacementMapper::GetNumberOfTrianglesDrawn()
 {
-  return this->Inside->Pieces.Triangles;
+  return this->Inside->Pieces.Groups.empty() ? this->Superclass::GetNumberOfTrianglesDrawn()
+                                             : this->Inside->Pieces.Triangles;
 }
 
 MesoTechniqueShader* vtkMesoDisplacementMapper::GetTechnique()

@@ -65,8 +65,7 @@ public:
   vtkImageData* GetHorizonMap();
   ///@}
 
-  /// Triangles that the last frame was drawn with.
-  std::int64_t GetNumberOfTrianglesDrawn() const;
+  std::int64_t GetNumberOfTrianglesDrawn() override;
 
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;

@@ -575,6 +575,11 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
     this->GetTechnique()->GetCentre());
 }
 
+std::int64_t vtkMesoPolyDataMapper::GetNumberOfTrianglesDrawn()
+{
+  return this->GetInput() ? this->GetInput()->GetNumberOfPolys() : 0;
+}
+
 std::size_t vtkMesoPolyDataMapper::GetGPUBytes()
 {
   std::size_t bytes = this->GetTechnique()->GetGPUBytes() + this->NormalMap->GetGPUBytes() +

@@ -42,6 +42,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -135,6 +136,9 @@ public:
 
   /// Why the last frame shows the base mesh instead of the technique; empty where it does not.
   const std::string& GetWhyPlain() const { return this->WhyPlain; }
+
+  /// Triangles that the last frame was drawn with.
+  virtual std::int64_t GetNumberOfTrianglesDrawn();
 
   /// Bytes of vertex data, indices and textures held on the GPU since the last frame.
   std::size_t GetGPUBytes();
