@@ -332,7 +332,7 @@ double MesoFacetsPerTexel(MesoQuality quality)
 
 double MesoFacetPixels(MesoQuality quality)
 {
-  return 2. / MesoFacetsPerTexel(quality);
+  return 1. / MesoFacetsPerTexel(quality);
 }
 
 MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)

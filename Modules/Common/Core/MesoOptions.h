@@ -200,7 +200,7 @@ MESOCOMMONCORE_EXPORT bool MesoBendsRelief(MesoTechnique technique);
 /// Facets along a texel's side, for techniques that dice: 1/4, 1/2, 1, 2.
 MESOCOMMONCORE_EXPORT double MesoFacetsPerTexel(MesoQuality quality);
 
-/// Pixels along a facet's side, for techniques that dice for the picture: 8, 4, 2, 1.
+/// Pixels along a facet's side, for techniques that dice for the picture: 4, 2, 1, 1/2.
 MESOCOMMONCORE_EXPORT double MesoFacetPixels(MesoQuality quality);
 
 /// The effects that a technique can show.

@@ -17,6 +17,7 @@
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoDisplacementMapper.h"
 #include "vtkMesoImageReader.h"
+#include "vtkMesoLoopSubdivision.h"
 #include "vtkMesoMeshReader.h"
 #include "vtkMesoMovedMesh.h"
 #include "vtkMesoQuadricFit.h"
@@ -218,20 +219,29 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
   vtkNew<vtkMesoMeshReader> reader;
   reader->SetFileName(mesh.File.c_str());
   MesoRunAlgorithm(reader, place, this->Warnings);
-  if (!reader->GetOutput()->GetPointData()->GetTCoords() && !needsFrames)
+  vtkSmartPointer<vtkPolyDataAlgorithm> source = reader;
+  if (mesh.Subdivide > 0)
+  {
+    vtkNew<vtkMesoLoopSubdivision> smooth;
+    smooth->SetInputConnection(reader->GetOutputPort());
+    smooth->SetLevels(mesh.Subdivide);
+    MesoRunAlgorithm(smooth, place, this->Warnings);
+    source = smooth;
+  }
+  if (!source->GetOutput()->GetPointData()->GetTCoords() && !needsFrames)
   {
     // No frame without texture coordinates; the points are not split, so VTK's normals serve.
     vtkNew<vtkPolyDataNormals> normals;
-    normals->SetInputConnection(reader->GetOutputPort());
+    normals->SetInputConnection(source->GetOutputPort());
     normals->ConsistencyOff();
     normals->SetSplitting(mesh.FeatureAngle.has_value());
     normals->SetFeatureAngle(mesh.FeatureAngle.value_or(30.));
-    const bool given = reader->GetOutput()->GetPointData()->GetNormals() != nullptr;
-    MesoRunAlgorithm(given ? static_cast<vtkAlgorithm*>(reader) : normals, place, this->Warnings);
-    return given ? reader->GetOutput() : normals->GetOutput();
+    const bool given = source->GetOutput()->GetPointData()->GetNormals() != nullptr;
+    MesoRunAlgorithm(given ? static_cast<vtkAlgorithm*>(source) : normals, place, this->Warnings);
+    return given ? source->GetOutput() : normals->GetOutput();
   }
   vtkNew<vtkMesoSurfaceFrames> frames;
-  frames->SetInputConnection(reader->GetOutputPort());
+  frames->SetInputConnection(source->GetOutputPort());
   if (mesh.FeatureAngle)
   {
     frames->SplitNormalsOn();

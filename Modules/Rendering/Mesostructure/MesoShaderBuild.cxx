@@ -174,7 +174,8 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
   }
 }
 
-void MesoShaderBuild::PlaceVertices(MesoShaderAssembler& vertex, MesoShaderAssembler& fragment)
+void MesoShaderBuild::PlaceVertices(
+  MesoShaderAssembler& vertex, MesoShaderAssembler& geometry, MesoShaderAssembler& fragment)
 {
   // VTK 9.1 to 9.5, vtkPolyDataVS.glsl and vtkOpenGLPolyDataMapper: attributes, byte by byte.
   const char* const attributes[][3] = { { "in vec4 vertexMC;", "vec4 vertexMC;",
@@ -192,7 +193,11 @@ void MesoShaderBuild::PlaceVertices(MesoShaderAssembler& vertex, MesoShaderAssem
     }
   }
   vertex.Before("//VTK::CustomBegin::Impl", "vertex", placing);
-  // The number of a triangle among those drawn says nothing here.
+  // The number of a triangle among those drawn says nothing here: neither which of its edges are those of
+  // a polygon (all are drawn), nor which cell it is of.
+  const char* const polygonEdges =
+    "255.0*texelFetch(edgeTexture, gl_PrimitiveIDIn + PrimitiveIDOffset).r";
+  geometry.Rename(polygonEdges, "7.0", geometry.Count(polygonEdges));
   fragment.Rename("gl_PrimitiveID", "mesoCellVSOutput", fragment.Count("gl_PrimitiveID"));
 }
 

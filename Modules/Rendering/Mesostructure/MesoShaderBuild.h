@@ -52,7 +52,8 @@ struct MesoShaderBuild
 
   /// Let the technique place the vertices: what VTK reads as attributes becomes variables that it sets. To
   /// be called when VTK has consumed its hooks.
-  static void PlaceVertices(MesoShaderAssembler& vertex, MesoShaderAssembler& fragment);
+  static void PlaceVertices(
+    MesoShaderAssembler& vertex, MesoShaderAssembler& geometry, MesoShaderAssembler& fragment);
 
   /// Let VTK's shadow map passes store the depth of the detail instead of the triangle's.
   static void ShowDetailToVTKShadows(MesoShaderAssembler& fragment);

@@ -450,11 +450,14 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
   if (build.Diced)
   {
     MesoShaderAssembler placed("vertex shader", shaders[vtkShader::Vertex]->GetSource());
+    MesoShaderAssembler edges("geometry shader", shaders[vtkShader::Geometry]->GetSource());
     MesoShaderAssembler cells("fragment shader", shaders[vtkShader::Fragment]->GetSource());
-    MesoShaderBuild::PlaceVertices(placed, cells);
+    MesoShaderBuild::PlaceVertices(placed, edges, cells);
     shaders[vtkShader::Vertex]->SetSource(placed.GetText());
+    shaders[vtkShader::Geometry]->SetSource(edges.GetText());
     shaders[vtkShader::Fragment]->SetSource(cells.GetText());
     this->Report(placed);
+    this->Report(edges);
     this->Report(cells);
   }
   if (build.Textured || build.Scalars)
