@@ -8,6 +8,8 @@
  * The same text as the shaders': each function's meaning, spaces, units and source stand there.
  *   MesoKernels::Float::Contour, MesoKernels::Double::Contour
  *     evenContours, oneContour
+ *   MesoKernels::Float::Grid, MesoKernels::Double::Grid
+ *     latticePoint, stepOnEdge, perMapCoord, displacedNormal
  *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
  *     solveFrame, tiltedNormal
  *   MesoKernels::Float::GDMFactors, GDMWhole and those of Double
@@ -147,6 +149,14 @@ class Frame
 {
 public:
 #include "MesoFrameFloat.h"
+};
+
+class Grid
+{
+public:
+#include "MesoBarycentricGridFloat.h"
+//
+#include "MesoDisplacedNormalFloat.h"
 };
 
 class Quadric
@@ -298,6 +308,14 @@ class Frame
 {
 public:
 #include "MesoFrameDouble.h"
+};
+
+class Grid
+{
+public:
+#include "MesoBarycentricGridDouble.h"
+//
+#include "MesoDisplacedNormalDouble.h"
 };
 
 class Quadric

@@ -15,7 +15,8 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
   { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::VDM, "vdm" },
-  { MesoTechnique::ShellSDF, "shell-sdf" }, { MesoTechnique::Tessellated, "tessellated" } };
+  { MesoTechnique::ShellSDF, "shell-sdf" }, { MesoTechnique::Displacement, "displacement" },
+  { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
   { MesoQuality::Certified, "certified" }, { MesoQuality::Full, "full" } };
@@ -331,6 +332,11 @@ double MesoFacetsPerTexel(MesoQuality quality)
   return 1.;
 }
 
+double MesoFacetPixels(MesoQuality quality)
+{
+  return 1. / MesoFacetsPerTexel(quality);
+}
+
 MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
 {
   switch (technique)
@@ -357,6 +363,9 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow,
         MesoEffect::OpenBoundary, MesoEffect::NonHeightField };
+    case MesoTechnique::Displacement:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
+        MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
         MesoEffect::Silhouette, MesoEffect::CastShadow };

@@ -13,8 +13,7 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "gdm",
-  "slices" };
+const std::vector<std::string> LaterTechniques = { "geometry-image", "gdm", "slices" };
 
 constexpr double MostFactors = 12.;
 
@@ -448,13 +447,23 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("penumbra",
     [&](const MesoSceneValue& angle)
     {
-      if (options.Technique != MesoTechnique::Horizon)
+      if (options.Technique != MesoTechnique::Horizon &&
+        options.Technique != MesoTechnique::Displacement)
       {
         angle.Fail("technique " + name + " has no penumbra");
       }
       options.Penumbra = angle.ToNumber({ 0., 90., true });
     });
   ReadTable(value, node);
+  value.With("facet_pixels",
+    [&](const MesoSceneValue& pixels)
+    {
+      if (options.Technique != MesoTechnique::Displacement)
+      {
+        pixels.Fail("technique " + name + " does not cut by pixels");
+      }
+      options.FacetPixels = pixels.ToNumber(MesoSceneRanges::NotNegative);
+    });
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });
