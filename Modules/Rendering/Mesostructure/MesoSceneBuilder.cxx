@@ -495,7 +495,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       object.Volume =
         MesoReadVolume(*node.Volume, inScene + ".mesostructure.volume", this->Warnings);
     }
-    if (node.Mesostructure.Technique == MesoTechnique::VDM && !node.Map && !node.Baked.empty())
+    if (MesoUsesHeightMap(node.Mesostructure.Technique) && !node.Map && !node.Baked.empty())
     {
       object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
     }
