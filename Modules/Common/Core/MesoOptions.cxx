@@ -15,7 +15,7 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
   { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" },
-  { MesoTechnique::ShellSDF, "shell-sdf" },
+  { MesoTechnique::GDM, "gdm" }, { MesoTechnique::ShellSDF, "shell-sdf" },
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
@@ -353,6 +353,7 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::ReliefQuadricExact:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
+    case MesoTechnique::GDM:
     case MesoTechnique::ShellSDF:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow,

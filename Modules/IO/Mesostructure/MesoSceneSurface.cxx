@@ -13,7 +13,7 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "vdm", "gdm",
+const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "vdm",
   "slices" };
 const std::vector<std::string> LaterQualities = { "full" };
 
