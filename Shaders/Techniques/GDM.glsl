@@ -5,8 +5,10 @@
 // The table holds, for a ray that meets nothing, how far the shell's bottom or top is (section 4.1). So
 // what the volume's own distance is at the end of the look-up tells whether there is matter.
 
-// Distances of the volume up to this many voxels count as its surface: the table is that coarse.
-const float MESO_SURFACE_VOXELS = 1.5;
+//   MESO_CORRECTIONS  steps of the volume's own distance after a look-up, against the table's error
+
+// What the volume's distance is at most at the end of a look-up that met matter, in voxels.
+const float MESO_SURFACE_VOXELS = MESO_CORRECTIONS > 0 ? 0.5 : 1.5;
 // A light's way starts this many voxels off the surface, beyond the zeros that points in matter have.
 const float MESO_LIFT_VOXELS = 1.5;
 
@@ -26,6 +28,10 @@ bool lookUp(vec3 from, vec3 span, out float part)
     return false;
   }
   part = gdmDistance(from, way / size) / size;
+  for (int i = 0; i < MESO_CORRECTIONS && part < 1.0; ++i)
+  {
+    part = max(part + sampleVolume(from + part * span) / size, 0.0);
+  }
   return part < 1.0 &&
     sampleVolume(from + part * span) < MESO_SURFACE_VOXELS * voxelSide(mesoVolumeDepth);
 }
@@ -34,13 +40,13 @@ VolumeHit meetMatter(vec3 from, vec3 span)
 {
   VolumeHit hit;
   hit.Part = 0.0;
-  hit.Steps = 1;
+  hit.Steps = 1 + MESO_CORRECTIONS;
   hit.Fetches = 1;
   hit.Found = sampleVolume(from) <= 0.0;
   if (!hit.Found)
   {
     hit.Found = lookUp(from, span, hit.Part);
-    hit.Fetches = 3;
+    hit.Fetches = 3 + MESO_CORRECTIONS;
   }
   return hit;
 }
@@ -65,7 +71,7 @@ bool matterBlocks(vec3 from, vec3 span, out int fetches)
   {
     start += MESO_LIFT_VOXELS * voxelSide(mesoVolumeDepth) / size * away / metric;
   }
-  fetches = 9;
+  fetches = 9 + MESO_CORRECTIONS;
   if (start.z <= 0.0 || start.z >= 1.0)
   {
     return false;

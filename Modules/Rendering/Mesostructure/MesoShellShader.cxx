@@ -27,6 +27,23 @@ Steps StepsOf(MesoQuality quality)
       return { "0.125", "512" };
   }
 }
+
+/// Steps of the volume's own distance after a look-up in the table.
+const char* CorrectionsOf(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+    case MesoQuality::Full:
+      return "0";
+    case MesoQuality::Low:
+      return "1";
+    case MesoQuality::Medium:
+      return "2";
+    default:
+      return "4";
+  }
+}
 }
 
 MesoShaderShape MesoShellShader::GetShape() const
@@ -48,6 +65,7 @@ MesoShaderShape MesoShellShader::GetShape() const
   {
     const int groups = this->Table.GetGroups();
     shape.Defines.emplace_back("MESO_GDM_GROUPS", std::to_string(groups));
+    shape.Defines.emplace_back("MESO_CORRECTIONS", CorrectionsOf(this->Options.Quality));
     shape.Chunks.insert(shape.Chunks.end(),
       { "Common/GDMAccess.glsl",
         groups > 0 ? "Common/GDMFactorsAccess.glsl" : "Common/GDMWholeAccess.glsl",
