@@ -347,8 +347,7 @@ TEST(SceneRefusals, ShellsOfVolumes)
     const std::string technique = std::string(R"("technique": ")") + name + "\"";
     EXPECT_EQ(of(technique), place + ": technique " + name + " needs a volume or a tile_mesh");
     EXPECT_EQ(of(volume + technique),
-      place + ": technique " + name +
-        " needs scale, the thickness of its shell in object units");
+      place + ": technique " + name + " needs scale, the thickness of its shell in object units");
     EXPECT_EQ(
       of(volume + R"("scale": 0, )" + technique), place + ".scale: a shell needs some thickness");
     EXPECT_EQ(of(volume + R"("scale": 1, "wrap": "clamp", )" + technique),

@@ -14,9 +14,8 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::NormalObject, "normal-object" }, { MesoTechnique::Parallax, "parallax" },
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
-  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" },
-  { MesoTechnique::GDM, "gdm" }, { MesoTechnique::ShellSDF, "shell-sdf" },
-  { MesoTechnique::Tessellated, "tessellated" } };
+  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::GDM, "gdm" },
+  { MesoTechnique::ShellSDF, "shell-sdf" }, { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
   { MesoQuality::Certified, "certified" } };

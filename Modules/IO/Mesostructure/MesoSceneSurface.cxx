@@ -232,8 +232,9 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
     value.At("wrap").Fail("a volume repeats");
   }
   value.With("segments",
-    [&](const MesoSceneValue& number)
-    { options.Segments = static_cast<int>(number.ToInteger({ 1., MesoMostSegments, true })); });
+    [&](const MesoSceneValue& number) {
+      options.Segments = static_cast<int>(number.ToInteger({ 1., MesoMostSegments, true }));
+    });
 }
 }
 

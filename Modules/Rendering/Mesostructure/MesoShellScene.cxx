@@ -31,9 +31,9 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
   std::vector<std::string>& warnings)
 {
   const MesoEffects effects = MesoEffectsOn(options);
-  MesoEffects together = MesoEffectsOfTechnique(options.Technique)
-                           .Without({ MesoEffect::Shading, MesoEffect::SelfShadow,
-                             MesoEffect::CastShadow });
+  MesoEffects together =
+    MesoEffectsOfTechnique(options.Technique)
+      .Without({ MesoEffect::Shading, MesoEffect::SelfShadow, MesoEffect::CastShadow });
   if (!together.Without(effects).Empty())
   {
     std::string names;
@@ -70,8 +70,7 @@ vtkSmartPointer<vtkImageData> MesoMakeShellTable(vtkImageData* volume,
 {
   constexpr int ordinaryRank = 16;
   const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
-  return MesoMakeGDM(
-    volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+  return MesoMakeGDM(volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
 }
 
 void MesoCheckShellMaterial(const MesoSceneMaterial& material, const std::string& inScene)
