@@ -1,6 +1,7 @@
 // The only functions that know the sampler of a volume of signed distances; Kernels/Volume stands on
 // these.
 uniform sampler3D mesoVolume;
+uniform float mesoVolumeDepth; // tile widths
 
 float fetchVolume(ivec3 voxel)
 {

@@ -14,6 +14,13 @@ struct VolumeHit
   int Steps;
 };
 
+// The shortest side of a voxel, in tile widths.
+float voxelSide(float depth)
+{
+  vec3 side = vec3(1.0, 1.0, depth) / vec3(volumeSize());
+  return min(side.x, min(side.y, side.z));
+}
+
 int wrapVoxel(int i, int size)
 {
   int rest = i - (i / size) * size;

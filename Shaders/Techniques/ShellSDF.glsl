@@ -2,19 +2,11 @@
 // Common/PrismShell and Kernels/Volume.
 //   MESO_LEAST_STEP  shortest step, in voxels
 //   MESO_MOST_STEPS  of a piece of the way
-uniform float mesoVolumeDepth; // tile widths
-
-// The shortest side of a voxel, in tile widths.
-float voxelSide()
-{
-  vec3 side = vec3(1.0, 1.0, mesoVolumeDepth) / vec3(volumeSize());
-  return min(side.x, min(side.y, side.z));
-}
 
 VolumeHit meetMatter(vec3 from, vec3 span)
 {
   return searchVolume(
-    from, span, mesoVolumeDepth, MESO_LEAST_STEP * voxelSide(), MESO_MOST_STEPS, false);
+    from, span, mesoVolumeDepth, MESO_LEAST_STEP * voxelSide(mesoVolumeDepth), MESO_MOST_STEPS, false);
 }
 
 vec3 matterGradient(vec3 place)
@@ -30,7 +22,7 @@ vec3 facetGradient(vec3 place)
 bool matterBlocks(vec3 from, vec3 span, out int fetches)
 {
   VolumeHit found = searchVolume(
-    from, span, mesoVolumeDepth, MESO_LEAST_STEP * voxelSide(), MESO_MOST_STEPS, true);
+    from, span, mesoVolumeDepth, MESO_LEAST_STEP * voxelSide(mesoVolumeDepth), MESO_MOST_STEPS, true);
   fetches = found.Fetches;
   return found.Found;
 }

@@ -88,7 +88,7 @@ TEST(SceneRefusals, UnknownKeys)
 TEST(SceneRefusals, KnownButNotYetServed)
 {
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
-  for (const char* key : { "baked", "rank", "segments" })
+  for (const char* key : { "baked", "rank" })
   {
     EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
       std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
@@ -101,11 +101,11 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
     "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
     "plain, bump, normal, normal-object, parallax, horizon, relief, relief-quadric, "
-    "relief-quadric-exact, displacement, tessellated)");
+    "relief-quadric-exact, vdm, gdm, shell-sdf, displacement, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
     "relief? choices: plain, bump, normal, normal-object, parallax, horizon, relief, "
-    "relief-quadric, relief-quadric-exact, displacement, tessellated)");
+    "relief-quadric, relief-quadric-exact, vdm, gdm, shell-sdf, displacement, tessellated)");
   EXPECT_EQ(OfRelief(R"(, "parallax": "offset")"),
     "s.json: nodes[0].mesostructure.parallax: technique relief has no parallax to choose");
   EXPECT_EQ(OfRelief(R"(, "penumbra": 2)"),
@@ -334,4 +334,26 @@ TEST(SceneRefusals, ColorBy)
       OfNode(std::string(R"("mesh": "a.obj", "material": {)") + text + "}");
     EXPECT_TRUE(Mentions(message, part)) << text << " gives " << message;
   }
+}
+
+TEST(SceneRefusals, ShellsOfVolumes)
+{
+  const auto of = [](const std::string& keys)
+  { return OfNode(R"("mesh": "a.obj", "mesostructure": {)" + keys + "}"); };
+  const std::string volume = R"("volume": {"pattern": "weave"}, )";
+  const std::string place = "s.json: nodes[0].mesostructure";
+  for (const char* name : { "gdm", "shell-sdf" })
+  {
+    const std::string technique = std::string(R"("technique": ")") + name + "\"";
+    EXPECT_EQ(of(technique), place + ": technique " + name + " needs a volume or a tile_mesh");
+    EXPECT_EQ(of(volume + technique),
+      place + ": technique " + name + " needs scale, the thickness of its shell in object units");
+    EXPECT_EQ(
+      of(volume + R"("scale": 0, )" + technique), place + ".scale: a shell needs some thickness");
+    EXPECT_EQ(of(volume + R"("scale": 1, "wrap": "clamp", )" + technique),
+      place + ".wrap: a volume repeats");
+    EXPECT_TRUE(Mentions(of(volume + R"("scale": 1, "segments": 65, )" + technique), "segments"));
+  }
+  EXPECT_EQ(OfRelief(R"(, "segments": 2)"),
+    place + ".segments: technique relief has no prisms that rays run through");
 }

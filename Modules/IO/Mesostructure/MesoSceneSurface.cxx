@@ -13,7 +13,7 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "geometry-image", "gdm", "slices" };
+const std::vector<std::string> LaterTechniques = { "geometry-image", "slices" };
 
 constexpr double MostFactors = 12.;
 

@@ -429,6 +429,11 @@ void MesoSceneBuilder::MakeMapper(
     object.Mesh = MesoMakeShell(object.Base, object.Options, inScene, this->Warnings);
     vtkNew<vtkMesoShellMapper> shell;
     shell->SetVolume(object.Volume);
+    if (object.Options.Technique == MesoTechnique::GDM)
+    {
+      shell->SetTable(MesoMakeShellTable(
+        object.Volume, object.Options, inScene + ".mesostructure", this->Warnings));
+    }
     object.Mapper = shell;
   }
   else if (object.Options.Technique == MesoTechnique::VDM)

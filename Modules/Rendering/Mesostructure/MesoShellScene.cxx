@@ -1,7 +1,9 @@
 #include "MesoShellScene.h"
 
 #include "MesoAlgorithmRun.h"
+#include "MesoGDMInput.h"
 #include "MesoScene.h"
+#include "vtkImageData.h"
 #include "vtkMesoPrismShell.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -29,9 +31,9 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
   std::vector<std::string>& warnings)
 {
   const MesoEffects effects = MesoEffectsOn(options);
-  MesoEffects together = MesoEffectsOfTechnique(options.Technique)
-                           .Without({ MesoEffect::Shading, MesoEffect::SelfShadow,
-                             MesoEffect::CastShadow });
+  MesoEffects together =
+    MesoEffectsOfTechnique(options.Technique)
+      .Without({ MesoEffect::Shading, MesoEffect::SelfShadow, MesoEffect::CastShadow });
   if (!together.Without(effects).Empty())
   {
     std::string names;
@@ -60,6 +62,15 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
     warnings.push_back(warning.str());
   }
   return shell->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> MesoMakeShellTable(vtkImageData* volume,
+  const MesoMesostructureOptions& options, const std::string& place,
+  std::vector<std::string>& warnings)
+{
+  constexpr int ordinaryRank = 16;
+  const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
+  return MesoMakeGDM(volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
 }
 
 void MesoCheckShellMaterial(const MesoSceneMaterial& material, const std::string& inScene)

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkPolyData;
 struct MesoSceneMaterial;
 
@@ -24,6 +25,11 @@ struct MesoSceneMaterial;
  */
 vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
   const MesoMesostructureOptions& options, const std::string& inScene,
+  std::vector<std::string>& warnings);
+
+/// The volume's table of distances (MesoMakeGDM), whole at the quality Full. Throws as that does.
+vtkSmartPointer<vtkImageData> MesoMakeShellTable(vtkImageData* volume,
+  const MesoMesostructureOptions& options, const std::string& place,
   std::vector<std::string>& warnings);
 
 /// Throws MesoInputError for what a material says that no volume is drawn with.

@@ -27,12 +27,29 @@ Steps StepsOf(MesoQuality quality)
       return { "0.125", "512" };
   }
 }
+
+/// Steps of the volume's own distance after a look-up in the table.
+const char* CorrectionsOf(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+    case MesoQuality::Full:
+      return "0";
+    case MesoQuality::Low:
+      return "1";
+    case MesoQuality::Medium:
+      return "2";
+    default:
+      return "4";
+  }
+}
 }
 
 MesoShaderShape MesoShellShader::GetShape() const
 {
   const MesoEffects effects = MesoEffectsOn(this->Options);
-  if (!this->GetVolume() || effects.Empty())
+  if (!this->GetVolume() || (this->UsesTable() && !this->GetTable()) || effects.Empty())
   {
     return MesoTechniqueShader::GetShape();
   }
@@ -42,10 +59,26 @@ MesoShaderShape MesoShellShader::GetShape() const
   shape.WritesDepth = true;
   shape.Attributes = { { "mesoPrism", "MesoPrism" } };
   shape.Chunks = { "Common/VolumeAccess.glsl", "Kernels/Prism.glsl", "Kernels/Volume.glsl",
-    "Common/PrismAccess.glsl", "Common/PrismShell.glsl", "Techniques/ShellSDF.glsl" };
-  const Steps steps = StepsOf(this->Options.Quality);
-  shape.Defines = { { "MESO_SEGMENTS", std::to_string(std::max(this->Options.Segments, 1)) },
-    { "MESO_LEAST_STEP", steps.Least }, { "MESO_MOST_STEPS", steps.Most } };
+    "Common/PrismAccess.glsl", "Common/PrismShell.glsl" };
+  shape.Defines = { { "MESO_SEGMENTS", std::to_string(std::max(this->Options.Segments, 1)) } };
+  if (this->UsesTable())
+  {
+    const int groups = this->Table.GetGroups();
+    shape.Defines.emplace_back("MESO_GDM_GROUPS", std::to_string(groups));
+    shape.Defines.emplace_back("MESO_CORRECTIONS", CorrectionsOf(this->Options.Quality));
+    shape.Chunks.insert(shape.Chunks.end(),
+      { "Common/GDMAccess.glsl",
+        groups > 0 ? "Common/GDMFactorsAccess.glsl" : "Common/GDMWholeAccess.glsl",
+        "Kernels/GDMTable.glsl", groups > 0 ? "Kernels/GDMFactors.glsl" : "Kernels/GDMWhole.glsl",
+        "Techniques/GDM.glsl" });
+  }
+  else
+  {
+    const Steps steps = StepsOf(this->Options.Quality);
+    shape.Defines.emplace_back("MESO_LEAST_STEP", steps.Least);
+    shape.Defines.emplace_back("MESO_MOST_STEPS", steps.Most);
+    shape.Chunks.emplace_back("Techniques/ShellSDF.glsl");
+  }
   const std::pair<MesoEffect, const char*> names[] = { { MesoEffect::Shading, "MESO_SHADING" },
     { MesoEffect::Occlusion, "MESO_OCCLUSION" }, { MesoEffect::SelfShadow, "MESO_SELF_SHADOW" },
     { MesoEffect::Depth, "MESO_DEPTH" }, { MesoEffect::Silhouette, "MESO_SILHOUETTE" } };
@@ -65,29 +98,48 @@ std::string MesoShellShader::Activate(vtkOpenGLRenderWindow* window)
   {
     return this->ShellProblem;
   }
-  const std::string failure = this->Prisms.Activate(window, MesoWrap::Repeat);
-  return failure.empty() ? this->Volume.Activate(window, MesoWrap::Repeat) : failure;
+  std::string failure = this->UsesTable() ? this->TableProblem : std::string();
+  for (MesoMapTexture* texture : this->Textures())
+  {
+    failure = failure.empty() ? texture->Activate(window, MesoWrap::Repeat) : failure;
+  }
+  return failure;
+}
+
+std::vector<MesoMapTexture*> MesoShellShader::Textures()
+{
+  std::vector<MesoMapTexture*> textures = { &this->Prisms, &this->Volume };
+  if (this->UsesTable())
+  {
+    textures.push_back(&this->Table);
+  }
+  return textures;
 }
 
 void MesoShellShader::SetUniforms(vtkShaderProgram* program)
 {
-  this->Prisms.SetUniforms(program);
-  this->Volume.SetUniforms(program);
+  for (MesoMapTexture* texture : this->Textures())
+  {
+    texture->SetUniforms(program);
+  }
 }
 
 void MesoShellShader::Deactivate()
 {
-  this->Prisms.Deactivate();
-  this->Volume.Deactivate();
+  for (MesoMapTexture* texture : this->Textures())
+  {
+    texture->Deactivate();
+  }
 }
 
 void MesoShellShader::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Prisms.ReleaseGraphicsResources(window);
   this->Volume.ReleaseGraphicsResources(window);
+  this->Table.ReleaseGraphicsResources(window);
 }
 
 std::size_t MesoShellShader::GetGPUBytes() const
 {
-  return this->Prisms.GetGPUBytes() + this->Volume.GetGPUBytes();
+  return this->Prisms.GetGPUBytes() + this->Volume.GetGPUBytes() + this->Table.GetGPUBytes();
 }

@@ -1,6 +1,7 @@
 #ifndef MesoShellShader_h
 #define MesoShellShader_h
 
+#include "MesoGDMTexture.h"
 #include "MesoOptions.h" // for MesoMesostructureOptions
 #include "MesoPrismTexture.h"
 #include "MesoTechniqueShader.h"
@@ -18,6 +19,9 @@ public:
   /// A canonical volume (MesoVolumeMap). Null: none, and the shell's faces are drawn.
   void SetVolume(vtkImageData* volume) { this->Volume.SetVolume(volume); }
   vtkImageData* GetVolume() const { return this->Volume.GetVolume(); }
+  /// The table of the volume, for the technique GDM. Null: none.
+  void SetTable(vtkImageData* table) { this->TableProblem = this->Table.SetTable(table); }
+  vtkImageData* GetTable() const { return this->Table.GetTable(); }
   void SetOptions(const MesoMesostructureOptions& options) { this->Options = options; }
   /// The shell that is drawn (vtkMesoPrismShell).
   void SetShell(vtkPolyData* shell) { this->ShellProblem = this->Prisms.SetShell(shell); }
@@ -31,10 +35,15 @@ public:
   std::size_t GetGPUBytes() const override;
 
 private:
+  std::vector<MesoMapTexture*> Textures();
+  bool UsesTable() const { return this->Options.Technique == MesoTechnique::GDM; }
+
   MesoMesostructureOptions Options;
   std::string ShellProblem; ///< why the input is no shell
+  std::string TableProblem; ///< why the table is none
   MesoPrismTexture Prisms;
   MesoVolumeMap Volume;
+  MesoGDMTexture Table;
 };
 
 #endif

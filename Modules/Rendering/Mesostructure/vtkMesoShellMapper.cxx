@@ -61,6 +61,7 @@ void vtkMesoShellMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Volume: " << this->Shell->GetVolume() << "\n";
+  os << indent << "Table: " << this->Shell->GetTable() << "\n";
 }
 
 void vtkMesoShellMapper::SetVolume(vtkImageData* volume)
@@ -77,6 +78,20 @@ vtkImageData* vtkMesoShellMapper::GetVolume()
   return this->Shell->GetVolume();
 }
 
+void vtkMesoShellMapper::SetTable(vtkImageData* table)
+{
+  if (table != this->Shell->GetTable())
+  {
+    this->Shell->SetTable(table);
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkMesoShellMapper::GetTable()
+{
+  return this->Shell->GetTable();
+}
+
 vtkMTimeType vtkMesoShellMapper::GetDetailMTime()
 {
   vtkImageData* volume = this->GetVolume();
@@ -88,6 +103,7 @@ void vtkMesoShellMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto* other = vtkMesoShellMapper::SafeDownCast(mapper))
   {
     this->SetVolume(other->GetVolume());
+    this->SetTable(other->GetTable());
   }
   this->Superclass::ShallowCopy(mapper);
 }

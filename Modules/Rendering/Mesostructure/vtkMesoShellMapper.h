@@ -14,6 +14,9 @@
  * - ShellSDF: along its signed distance, by steps as long as that is (Hart1996). The quality says how
  *   short the shortest steps are: 1, 1/2, 1/4, 1/8 voxel.
  *
+ * - GDM: by one look-up of the distance to matter in a Table of it (vtkMesoGDMTable) for each piece of a
+ *   ray's way, and one for each light. The quality Full is a whole table.
+ *
  * Volume: a canonical volume, one tile of the mesostructure in x and y, whole in z: the point array
  * MesoSignedDistance (1, float; tile widths, negative inside; row 0 at t = 0, z from the shell's bottom to
  * its top) and the field array MesoVolumeDepth (1; z counts that many tile widths). Matter ends at the
@@ -52,7 +55,13 @@ public:
   vtkMTimeType GetDetailMTime() override;
   ///@}
 
-  /// Draw as another mapper does; the volume is shared.
+  ///@{
+  /// The volume's table of distances, for the technique GDM, which draws the shell's faces without one.
+  void SetTable(vtkImageData* table);
+  vtkImageData* GetTable();
+  ///@}
+
+  /// Draw as another mapper does; volume and table are shared.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
