@@ -46,6 +46,52 @@ vtkSmartPointer<vtkImageData> ReadStack(const std::string& fileName)
   }
   return image;
 }
+
+/// The threshold between two groups of numbers whose means are furthest apart, weighted by how many each
+/// has: Otsu, "A threshold selection method from gray-level histograms", 1979.
+double PartingOf(vtkDataArray* numbers, double least, double most)
+{
+  constexpr int bins = 256;
+  std::array<double, bins> counts{};
+  for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+  {
+    const double part = (numbers->GetComponent(i, 0) - least) / (most - least);
+    if (part >= 0. && part <= 1.)
+    {
+      ++counts[static_cast<std::size_t>(std::min(part * bins, bins - 1.))];
+    }
+  }
+  double all = 0.;
+  double sum = 0.;
+  for (int bin = 0; bin < bins; ++bin)
+  {
+    all += counts[bin];
+    sum += bin * counts[bin];
+  }
+  double below = 0.;
+  double sumBelow = 0.;
+  double best = 0.;
+  // Where nothing lies between two groups any number there parts them as well: their middle is taken.
+  double first = 0.5 * bins;
+  double last = first;
+  for (int bin = 0; bin + 1 < bins; ++bin)
+  {
+    below += counts[bin];
+    sumBelow += bin * counts[bin];
+    if (below > 0. && below < all)
+    {
+      const double apart = sumBelow / below - (sum - sumBelow) / (all - below);
+      const double variance = below * (all - below) * apart * apart;
+      if (variance > best)
+      {
+        best = variance;
+        first = bin + 1.;
+      }
+      last = variance == best ? bin + 1. : last;
+    }
+  }
+  return least + (most - least) * 0.5 * (first + last) / bins;
+}
 }
 
 const std::vector<std::string>& MesoVolumeExtensions()
@@ -123,6 +169,8 @@ MesoVolumeReport MesoReportVolume(vtkImageData* volume)
     }
   }
   report.Mean = finite == 0 ? 0. : sum / double(finite);
+  report.Parting =
+    report.Least < report.Most ? PartingOf(numbers, report.Least, report.Most) : report.Most;
   for (int axis = 0; axis < 2; ++axis)
   {
     const auto mean = [&](int part)

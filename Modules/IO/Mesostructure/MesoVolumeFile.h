@@ -38,6 +38,8 @@ struct MesoVolumeReport
   double Most = 0.;
   double Mean = 0.;
   std::size_t NotFinite = 0;
+  /// The number that parts the others best into two groups (Otsu1979): a threshold where none is given.
+  double Parting = 0.;
   std::array<MesoTilingReport, 2> Tiling; ///< over the border in x, in y
 };
 

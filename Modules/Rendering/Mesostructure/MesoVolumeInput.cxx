@@ -135,10 +135,14 @@ vtkSmartPointer<vtkImageData> ReadFile(
       volume.Size ? (*volume.Size)[axis] : std::min(report.Size[axis], DefaultSize[axis]);
   }
   tile->SetSize(size.data());
+  if (report.Least == report.Most && !volume.Threshold)
+  {
+    throw MesoInputError(inFile + ": holds one number alone, so threshold must say what is solid");
+  }
 
   vtkNew<vtkMesoSignedDistance> distance;
   distance->SetInputConnection(tile->GetOutputPort());
-  distance->SetThreshold(volume.Threshold.value_or(0.5 * (report.Least + report.Most)));
+  distance->SetThreshold(volume.Threshold.value_or(report.Parting));
   distance->SetSolidBelow(volume.SolidBelow);
   MesoRunAlgorithm(distance, inFile, warnings);
   vtkSmartPointer<vtkImageData> canonical = distance->GetOutput();
