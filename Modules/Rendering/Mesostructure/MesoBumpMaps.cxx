@@ -122,6 +122,20 @@ MesoNormals MesoReadNormalMap(
   return normals;
 }
 
+vtkSmartPointer<vtkImageData> MesoMakeHorizons(vtkImageData* heights, vtkPolyData* mesh,
+  const MesoMesostructureOptions& options, double& scale, const std::string& place,
+  std::vector<std::string>& warnings)
+{
+  vtkNew<vtkMesoHorizonMap> horizons;
+  horizons->SetInputData(heights);
+  horizons->SetAzimuths(MesoAzimuthsOfQuality(options.Quality));
+  scale = MesoDepthInTiles(mesh, options);
+  horizons->SetScale(scale);
+  horizons->SetWrap(options.Wrap);
+  MesoRunAlgorithm(horizons, place, warnings);
+  return horizons->GetOutput();
+}
+
 void MesoSetBumpMaps(vtkMesoBumpMapper* mapper, vtkImageData* heights, vtkPolyData* mesh,
   const MesoNormals& given, const std::string& place, std::vector<std::string>& warnings)
 {
@@ -141,12 +155,9 @@ void MesoSetBumpMaps(vtkMesoBumpMapper* mapper, vtkImageData* heights, vtkPolyDa
   if (options.Technique == MesoTechnique::Horizon &&
     MesoEffectsOn(options).Has(MesoEffect::SelfShadow))
   {
-    vtkNew<vtkMesoHorizonMap> horizons;
-    horizons->SetInputData(heights);
-    horizons->SetAzimuths(MesoAzimuthsOfQuality(options.Quality));
-    horizons->SetScale(MesoDepthInTiles(mesh, options));
-    horizons->SetWrap(options.Wrap);
-    MesoRunAlgorithm(horizons, place, warnings);
-    mapper->SetHorizonMap(horizons->GetOutput(), horizons->GetScale());
+    double scale = 0.;
+    const vtkSmartPointer<vtkImageData> horizons =
+      MesoMakeHorizons(heights, mesh, options, scale, place, warnings);
+    mapper->SetHorizonMap(horizons, scale);
   }
 }

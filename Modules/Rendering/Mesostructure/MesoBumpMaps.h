@@ -32,6 +32,11 @@ double MesoDepthInTiles(vtkPolyData* mesh, const MesoMesostructureOptions& optio
 MesoNormals MesoReadNormalMap(
   const MesoSceneMaterial& material, const std::string& place, std::vector<std::string>& warnings);
 
+/// The horizons of a height map as the relief's depth on the mesh asks for, and the filter's Scale.
+vtkSmartPointer<vtkImageData> MesoMakeHorizons(vtkImageData* heights, vtkPolyData* mesh,
+  const MesoMesostructureOptions& options, double& scale, const std::string& place,
+  std::vector<std::string>& warnings);
+
 /// Gives the mapper what its technique draws: normals made of the heights where `given` has none, and
 /// horizons. Heights may be null.
 void MesoSetBumpMaps(vtkMesoBumpMapper* mapper, vtkImageData* heights, vtkPolyData* mesh,
