@@ -8,6 +8,7 @@
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace
@@ -60,12 +61,12 @@ std::string TableProblem(vtkImageData* table, const MesoVDMLayout& layout)
       problems.emplace_back("its weights are not of 8 or 16 bits");
     }
   }
-  for (const std::string& problem : problems)
+  problems.push_back(ArrayProblem(data->GetArray("AngularError"), "AngularError", 1, 1));
+  const auto found = std::find_if(
+    problems.begin(), problems.end(), [](const std::string& text) { return !text.empty(); });
+  if (found != problems.end())
   {
-    if (!problem.empty())
-    {
-      return problem;
-    }
+    return *found;
   }
   return {};
 }
@@ -153,7 +154,8 @@ std::array<int, 2> MesoVDMShader::RanksOf(const MesoMesostructureOptions& option
 void MesoVDMShader::SetParts()
 {
   this->Ranks = { 0, 0 };
-  this->Error = 1. / VTK_UNSIGNED_SHORT_MAX;
+  this->Error =
+    this->Table ? this->Table->GetFieldData()->GetArray("AngularError")->GetTuple1(0) : 0.;
   if (this->Table && !this->Table->GetPointData()->GetArray("VDM"))
   {
     vtkFieldData* data = this->Table->GetFieldData();
@@ -165,7 +167,7 @@ void MesoVDMShader::SetParts()
         std::min(data->GetArray(names[i])->GetNumberOfComponents(), Four * MostGroups);
       this->Ranks[i] = wanted[i] > 0 ? std::min(wanted[i], most) : most;
     }
-    this->Error = data->GetArray("Errors")->GetTuple1(this->Ranks[0] - 1);
+    this->Error = std::hypot(this->Error, data->GetArray("Errors")->GetTuple1(this->Ranks[0] - 1));
   }
   for (const auto& part : this->Parts)
   {
