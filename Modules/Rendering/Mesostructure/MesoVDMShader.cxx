@@ -202,6 +202,14 @@ MesoShaderShape MesoVDMShader::GetShape() const
     shape.Defines.emplace_back("MESO_VDM_GROUPS", groups(this->Ranks[0]));
     shape.Defines.emplace_back("MESO_MVM_GROUPS", groups(this->Ranks[1]));
   }
+  if (this->FlatShadows)
+  {
+    shape.Defines.emplace_back("MESO_VDM_FLAT_SHADOW", "");
+  }
+  if (this->NearestOutlines)
+  {
+    shape.Defines.emplace_back("MESO_VDM_NEAREST", "");
+  }
   if (effects.Has(MesoEffect::Curvature))
   {
     shape.VertexChunks = { "Kernels/Quadric.glsl" };
