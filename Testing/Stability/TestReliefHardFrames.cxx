@@ -190,4 +190,4 @@ TEST_P(ReliefHardFrames, AMillionAwayFromTheOrigin)
   EXPECT_LT(different, 96 * 96 / 50);
 }
 
-MESO_FOR_RELIEF_TECHNIQUES(ReliefHardFrames);
+MESO_FOR_RELIEF_ARMS(ReliefHardFrames);

@@ -35,7 +35,7 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "mesostructure",
       { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
         "reference", "tiles", "wrap", "quality", "search", "quadric", "curved", "parallax",
-        "penumbra", "effects" },
+        "penumbra", "interpolation", "filter", "effects" },
       { "volume", "tile_mesh", "baked", "rank", "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
