@@ -5,6 +5,7 @@
 #include "MesoTestScene.h"
 #include "QuadricDistances.h"
 
+#include "vtkAutoInit.h"
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
@@ -17,6 +18,8 @@
 #include "vtkTextProperty.h"
 
 #include <gtest/gtest.h>
+
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2) // charts
 
 namespace
 {

@@ -70,10 +70,10 @@ TEST(CurvedAgainstReference, CutByPlanes)
   const MesoAOVs truth = MesoAOVsOfImage(MesoReference(cut(quadric)).Render(Size, Size).AOVs);
   const MesoAOVs whole = MesoAOVsOfImage(MesoReference(Torus(quadric)).Render(Size, Size).AOVs);
   EXPECT_LT(MesoCompareGeometry(whole, truth).CoverageIou, 0.7); // much is gone
-  const std::pair<std::string, double> arms[] = { { quadric, 0.96 },
-    { R"("technique": "relief-quadric-exact")", 0.95 },
-    { quadric + R"(, "curved": "osculating")", 0.96 }, { quadric + R"(, "curved": "bent")", 0.98 },
-    { quadric + R"(, "curved": "surface")", 0.98 } };
+  const std::pair<std::string, double> arms[] = { { quadric, 0.94 },
+    { R"("technique": "relief-quadric-exact")", 0.945 },
+    { quadric + R"(, "curved": "osculating")", 0.96 }, { quadric + R"(, "curved": "bent")", 0.985 },
+    { quadric + R"(, "curved": "surface")", 0.985 } };
   for (const auto& arm : arms)
   {
     const MesoGeometryError error =
