@@ -1,4 +1,9 @@
 // Geometry stage (edges, wide lines): hands the vertices' outputs on.
+#ifdef MESO_DICED
+flat in int mesoCellVSOutput[];
+flat out int mesoCellGSOutput;
+#endif
+#ifdef MESO_SURFACE
 in vec3 mesoPositionVCVSOutput[];
 in vec2 mesoTCoordVSOutput[];
 in vec3 mesoNormalVCVSOutput[];
@@ -8,6 +13,10 @@ out vec3 mesoNormalVCGSOutput;
 #ifdef MESO_DISPLACED
 in float mesoReliefVSOutput[];
 out float mesoReliefGSOutput;
+#endif
+#ifdef MESO_PRISMS
+flat in float mesoPrismVSOutput[];
+flat out float mesoPrismGSOutput;
 #endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput[];
@@ -26,4 +35,5 @@ in vec3 mesoQuadricVSOutput[];
 in vec3 mesoMetricVSOutput[];
 out vec3 mesoQuadricGSOutput;
 out vec3 mesoMetricGSOutput;
+#endif
 #endif

@@ -1,8 +1,15 @@
+#ifdef MESO_DICED
+    mesoCellGSOutput = mesoCellVSOutput[i];
+#endif
+#ifdef MESO_SURFACE
     mesoPositionVCGSOutput = mesoPositionVCVSOutput[i];
     mesoTCoordGSOutput = mesoTCoordVSOutput[i];
     mesoNormalVCGSOutput = mesoNormalVCVSOutput[i];
 #ifdef MESO_DISPLACED
     mesoReliefGSOutput = mesoReliefVSOutput[i];
+#endif
+#ifdef MESO_PRISMS
+    mesoPrismGSOutput = mesoPrismVSOutput[i];
 #endif
 #ifdef MESO_FRAME
     mesoNormalMCGSOutput = mesoNormalMCVSOutput[i];
@@ -15,4 +22,5 @@
 #ifdef MESO_CURVATURE
     mesoQuadricGSOutput = mesoQuadricVSOutput[i];
     mesoMetricGSOutput = mesoMetricVSOutput[i];
+#endif
 #endif

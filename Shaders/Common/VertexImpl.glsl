@@ -4,8 +4,15 @@
 #ifdef MESO_DISPLACED
   mesoReliefVSOutput = mesoRelief;
 #endif
+#ifdef MESO_PRISMS
+  mesoPrismVSOutput = mesoPrism;
+#endif
 #ifdef MESO_FRAME
+#ifdef MESO_DICED
+  mesoNormalMCVSOutput = mesoBaseNormal;
+#else
   mesoNormalMCVSOutput = mesoNormal;
+#endif
   mesoPerTCoordUVSOutput = mesoModelToView * (mesoTileScale.x * mesoTangent);
   mesoPerTCoordVVSOutput = mesoModelToView * (mesoTileScale.y * mesoBitangent);
 #endif

@@ -8,6 +8,8 @@
  * The same text as the shaders': each function's meaning, spaces, units and source stand there.
  *   MesoKernels::Float::Contour, MesoKernels::Double::Contour
  *     evenContours, oneContour
+ *   MesoKernels::Float::Grid, MesoKernels::Double::Grid
+ *     latticePoint, stepOnEdge, perMapCoord, displacedNormal
  *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
  *     solveFrame, tiltedNormal
  *   MesoKernels::Float::GDMFactors, GDMWhole and those of Double
@@ -23,11 +25,19 @@
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross
+ *   MesoKernels::Float::VDMTable, MesoKernels::Double::VDMTable
+ *     what a table of distances over view and curvature holds: vdmDirection, vdmPoint, vdmNumber, ...
  *   MesoKernels::Float::AcrossField, CircleField, CubicField and those of Double
  *     a height map with paths of other kinds: depths across the view ray (acrossPath), below a
  *     circle (circlePath), cubics (cubicPath); with the functions of their bases
  *   MesoKernels::Float::QuadricExact, MesoKernels::Double::QuadricExact
  *     the same and acrossView, distanceAcross, leaveAcross
+ *   MesoKernels::Float::PrismGeometry, MesoKernels::Double::PrismGeometry
+ *     the structs Prism and PrismSpan; prismSpan, prismPlace, prismTangents, prismRates, prismNormal,
+ *     prismFaceNormal
+ *   MesoKernels::Float::Volume, MesoKernels::Double::Volume
+ *     signed distances (constructed as MesoVolumeTexture) with exactDistance, volumeGradient,
+ *     searchVolume
  *
  *   MesoKernels::Double::HeightField field(2, 1, MesoWrap::Repeat, { 0.f, 1.f });
  *   double height = field.bilinearHeight({ 0.5, 0.5 });
@@ -38,6 +48,7 @@
 
 #include "MesoGDMTexels.h"
 #include "MesoHeightTexture.h"
+#include "MesoVolumeTexture.h"
 
 namespace MesoKernels
 {
@@ -140,6 +151,14 @@ public:
 #include "MesoFrameFloat.h"
 };
 
+class Grid
+{
+public:
+#include "MesoBarycentricGridFloat.h"
+//
+#include "MesoDisplacedNormalFloat.h"
+};
+
 class Quadric
 {
 public:
@@ -174,6 +193,25 @@ class Horizon
 {
 public:
 #include "MesoHorizonFloat.h"
+};
+
+class PrismGeometry
+{
+public:
+#include "MesoPrismFloat.h"
+};
+
+class Volume : public MesoVolumeTexture<float>
+{
+public:
+  using MesoVolumeTexture<float>::MesoVolumeTexture;
+#include "MesoVolumeFloat.h"
+};
+
+class VDMTable
+{
+public:
+#include "MesoVDMTableFloat.h"
 };
 
 class HeightField : public MesoHeightTexture<float>
@@ -272,6 +310,14 @@ public:
 #include "MesoFrameDouble.h"
 };
 
+class Grid
+{
+public:
+#include "MesoBarycentricGridDouble.h"
+//
+#include "MesoDisplacedNormalDouble.h"
+};
+
 class Quadric
 {
 public:
@@ -306,6 +352,25 @@ class Horizon
 {
 public:
 #include "MesoHorizonDouble.h"
+};
+
+class PrismGeometry
+{
+public:
+#include "MesoPrismDouble.h"
+};
+
+class Volume : public MesoVolumeTexture<double>
+{
+public:
+  using MesoVolumeTexture<double>::MesoVolumeTexture;
+#include "MesoVolumeDouble.h"
+};
+
+class VDMTable
+{
+public:
+#include "MesoVDMTableDouble.h"
 };
 
 class HeightField : public MesoHeightTexture<double>

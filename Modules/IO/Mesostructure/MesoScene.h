@@ -133,6 +133,7 @@ struct MesoSceneMesh
   /// The shape's numbers by key; a size in several directions has several values.
   std::map<std::string, std::vector<double>> Parameters;
   std::optional<double> FeatureAngle; ///< degrees; edges sharper than this split normals
+  int Subdivide = 0; ///< times that it is made four times as fine and smooth (Loop1987), 0 to 6
 };
 
 /// A height or depth map: an image file or a built-in pattern, and what its numbers mean.

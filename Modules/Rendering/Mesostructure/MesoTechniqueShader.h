@@ -24,6 +24,8 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
   bool UsesFrame = false;   ///< it needs the tangent frame of the vertices
   bool WritesDepth = false; ///< the depth buffer is that of the detail
   bool Displaced = false;   ///< the mesh itself is the detail, with its depth in MesoRelief
+  bool Prisms = false;      ///< the mesh is a shell of prisms, their numbers in MesoPrism
+  bool Diced = false;       ///< vertices are placed by the vertex stage, not read from the mesh
 
   /// Asks for the tangent frame of the vertices, and the arrays that hold it.
   void UseFrame();
@@ -33,7 +35,8 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
     return this->Chunks == other.Chunks && this->VertexChunks == other.VertexChunks &&
       this->Attributes == other.Attributes && this->Defines == other.Defines &&
       this->Traces == other.Traces && this->UsesFrame == other.UsesFrame &&
-      this->WritesDepth == other.WritesDepth && this->Displaced == other.Displaced;
+      this->WritesDepth == other.WritesDepth && this->Displaced == other.Displaced &&
+      this->Prisms == other.Prisms && this->Diced == other.Diced;
   }
 };
 
