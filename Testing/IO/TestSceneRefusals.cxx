@@ -115,9 +115,8 @@ TEST(SceneRefusals, TablesThatDoNotGoTogether)
 TEST(SceneRefusals, WordsThatAreNoChoice)
 {
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
-  EXPECT_EQ(OfNode(head + R"("technique": "geometry-image"})"),
-    "s.json: nodes[0].mesostructure.technique: technique \"geometry-image\" is not available yet "
-    "(choices: "
+  EXPECT_EQ(OfNode(head + R"("technique": "slices"})"),
+    "s.json: nodes[0].mesostructure.technique: technique \"slices\" is not available yet (choices: "
     "plain, bump, normal, normal-object, parallax, horizon, relief, relief-quadric, "
     "relief-quadric-exact, vdm, gdm, shell-sdf, displacement, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),

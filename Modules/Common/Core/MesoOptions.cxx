@@ -38,6 +38,10 @@ constexpr Entry<MesoCurvedKind> CurvedKinds[] = { { MesoCurvedKind::Quadric, "qu
   { MesoCurvedKind::Surface, "surface" } };
 constexpr Entry<MesoParallaxKind> ParallaxKinds[] = { { MesoParallaxKind::Occlusion, "occlusion" },
   { MesoParallaxKind::Offset, "offset" } };
+constexpr Entry<MesoInterpolation> Interpolations[] = { { MesoInterpolation::Bilinear, "bilinear" },
+  { MesoInterpolation::Bicubic, "bicubic" } };
+constexpr Entry<MesoFilter> Filters[] = { { MesoFilter::Auto, "auto" },
+  { MesoFilter::None, "none" } };
 
 template <typename T, std::size_t N>
 const char* NameOf(const Entry<T> (&table)[N], T value)
@@ -117,6 +121,16 @@ const char* MesoName(MesoParallaxKind value)
   return NameOf(ParallaxKinds, value);
 }
 
+const char* MesoName(MesoInterpolation value)
+{
+  return NameOf(Interpolations, value);
+}
+
+const char* MesoName(MesoFilter value)
+{
+  return NameOf(Filters, value);
+}
+
 std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name)
 {
   return FromName(Techniques, name);
@@ -157,6 +171,16 @@ std::optional<MesoParallaxKind> MesoParallaxKindFromName(const std::string& name
   return FromName(ParallaxKinds, name);
 }
 
+std::optional<MesoInterpolation> MesoInterpolationFromName(const std::string& name)
+{
+  return FromName(Interpolations, name);
+}
+
+std::optional<MesoFilter> MesoFilterFromName(const std::string& name)
+{
+  return FromName(Filters, name);
+}
+
 std::vector<std::string> MesoTechniqueNames()
 {
   return AllNames(Techniques);
@@ -195,6 +219,16 @@ std::vector<std::string> MesoCurvedKindNames()
 std::vector<std::string> MesoParallaxKindNames()
 {
   return AllNames(ParallaxKinds);
+}
+
+std::vector<std::string> MesoInterpolationNames()
+{
+  return AllNames(Interpolations);
+}
+
+std::vector<std::string> MesoFilterNames()
+{
+  return AllNames(Filters);
 }
 
 MesoEffects::MesoEffects(std::initializer_list<MesoEffect> effects)
@@ -430,6 +464,11 @@ std::string MesoSearchProblem(const MesoMesostructureOptions& options)
     return std::string("the curved base ") + MesoName(options.Curved) +
       " has no bounds for the searches cone and certified: its ray's depth is no parabola; "
       "linear-binary and linear-secant find their way";
+  }
+  if (bounds && options.Interpolation == MesoInterpolation::Bicubic)
+  {
+    return "interpolation bicubic has no bounds for the searches cone and certified, which are of "
+           "bilinear patches; linear-binary and linear-secant find their way";
   }
   return "";
 }

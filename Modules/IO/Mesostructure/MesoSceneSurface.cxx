@@ -201,6 +201,26 @@ MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique techniqu
   return choice;
 }
 
+/// How the map is read between its texels, and where they are smaller than pixels.
+void ReadSampling(const MesoSceneValue& value, MesoMesostructureOptions& options)
+{
+  if (!MesoHasSearches(options.Technique))
+  {
+    value.Refuse({ "interpolation", "filter" },
+      std::string("technique ") + MesoName(options.Technique) + " has no choice of it");
+  }
+  value.With("interpolation",
+    [&](const MesoSceneValue& kind)
+    {
+      options.Interpolation = kind.ToChoice<MesoInterpolation>(
+        "interpolation", &MesoInterpolationFromName, MesoInterpolationNames());
+    });
+  value.With("filter",
+    [&](const MesoSceneValue& kind) {
+      options.Filter = kind.ToChoice<MesoFilter>("filter", &MesoFilterFromName, MesoFilterNames());
+    });
+}
+
 /// What is said of a volume's shell; the volume itself has been read.
 void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
 {
@@ -429,6 +449,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       options.Curved = kind.ToChoice<MesoCurvedKind>(
         "curved base", &MesoCurvedKindFromName, MesoCurvedKindNames());
     });
+  ReadSampling(value, options);
   const std::string searchProblem = MesoSearchProblem(options);
   if (!searchProblem.empty())
   {

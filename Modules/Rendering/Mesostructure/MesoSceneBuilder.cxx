@@ -95,6 +95,9 @@ void SetColorMap(const std::string& fileName, const MesoMesostructureOptions& op
   texture->SetColorModeToDirectScalars();
   texture->InterpolateOn();
   texture->MipmapOn();
+  // VTK's default of 4 is for hardware: llvmpipe takes eight times as long, and chooses levels by how far
+  // the hits of neighbouring pixels lie apart, whatever steps the shader gives, so that pixels stray.
+  texture->SetMaximumAnisotropicFiltering(1.f);
   texture->SetWrap(options.Wrap == MesoWrap::Clamp ? vtkTexture::ClampToEdge
       : options.Wrap == MesoWrap::Mirror           ? vtkTexture::MirroredRepeat
                                                    : vtkTexture::Repeat);

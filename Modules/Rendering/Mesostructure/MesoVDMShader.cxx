@@ -187,11 +187,12 @@ MesoShaderShape MesoVDMShader::GetShape() const
   shape.UseFrame();
   shape.WritesDepth = effects.Has(MesoEffect::Depth);
   shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-    "Kernels/Quadric.glsl", "Kernels/VDMTable.glsl", "Common/VDMAccess.glsl",
-    "Common/ReliefFrame.glsl", "Common/ReliefSurface.glsl", "Techniques/VDM.glsl" };
+    "Kernels/HeightBilinear.glsl", "Common/HeightSurface.glsl", "Kernels/Quadric.glsl",
+    "Kernels/VDMTable.glsl", "Common/VDMAccess.glsl", "Common/ReliefFrame.glsl",
+    "Common/ReliefSurface.glsl", "Techniques/VDM.glsl" };
   const MesoVDMLayout& layout = this->Layout;
   shape.Defines = { { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) },
-    { "MESO_VDM_AZIMUTHS", std::to_string(layout.Azimuths) },
+    { "MESO_SURFACE_HEIGHTS", "" }, { "MESO_VDM_AZIMUTHS", std::to_string(layout.Azimuths) },
     { "MESO_VDM_POLARS", std::to_string(layout.Polars) },
     { "MESO_VDM_CURVATURES", std::to_string(layout.Curvatures) },
     { "MESO_VDM_STORES", std::to_string(static_cast<int>(layout.Stores)) },

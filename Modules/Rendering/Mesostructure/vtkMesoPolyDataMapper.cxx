@@ -40,6 +40,17 @@
 
 #include <algorithm>
 
+namespace
+{
+/// Whether each sample of a multisampled window has a ray of its own: where rays that miss are what makes
+/// the outline, which the rasteriser's coverage knows nothing of.
+bool TracesEachSample(vtkRenderer* renderer, const MesoEffects& drawn)
+{
+  return drawn.Has(MesoEffect::Silhouette) && GLEW_ARB_sample_shading &&
+    renderer->GetRenderWindow()->GetMultiSamples() > 1;
+}
+}
+
 vtkStandardNewMacro(vtkMesoPolyDataMapper);
 
 vtkMesoPolyDataMapper::vtkMesoPolyDataMapper()
@@ -304,6 +315,11 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->SetCulling(renderer);
   }
+  if (TracesEachSample(renderer, this->EffectsDrawn))
+  {
+    glEnable(GL_SAMPLE_SHADING_ARB);
+    glMinSampleShadingARB(1.f);
+  }
 }
 
 void vtkMesoPolyDataMapper::SetCulling(vtkRenderer* renderer)
@@ -333,6 +349,10 @@ void vtkMesoPolyDataMapper::SetCulling(vtkRenderer* renderer)
 void vtkMesoPolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::RenderPieceFinish(renderer, actor);
+  if (TracesEachSample(renderer, this->EffectsDrawn))
+  {
+    glDisable(GL_SAMPLE_SHADING_ARB);
+  }
   if (MesoInPass<vtkMesoShadowCasterPass>(actor))
   {
     static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
@@ -385,6 +405,8 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.WritesDepth = build.Traces && (shape.WritesDepth || build.Caster);
   build.Textured = !build.Caster && build.Traces && this->HaveTCoords(this->CurrentInput) &&
     MesoHasColorTextures(this->GetTextures(actor));
+
+  build.NormalMapped = build.Traces && shape.NormalMapped;
 
   const bool scalarsAtVertices = this->VBOs->GetNumberOfComponents("scalarColor") != 0;
   build.ScalarTexture = !scalarsAtVertices && this->InterpolateScalarsBeforeMapping &&
