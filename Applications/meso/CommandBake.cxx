@@ -1,6 +1,7 @@
 #include "CommandBake.h"
 
 #include "BakeFromMesh.h"
+#include "BakeGeometryImage.h"
 #include "BakeHorizon.h"
 #include "BakeNormal.h"
 #include "BakeSearchMap.h"
@@ -11,6 +12,7 @@ CommandBake::CommandBake(CLI::App& app)
   : Command(app.add_subcommand("bake", "Compute once, from a map, what a technique needs."))
 {
   this->Kinds.push_back(std::make_unique<BakeFromMesh>());
+  this->Kinds.push_back(std::make_unique<BakeGeometryImage>());
   this->Kinds.push_back(std::make_unique<BakeHorizon>());
   this->Kinds.push_back(std::make_unique<BakeNormal>());
   this->Kinds.push_back(std::make_unique<BakeCone>());

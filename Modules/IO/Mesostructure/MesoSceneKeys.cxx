@@ -36,8 +36,8 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "mesostructure",
       { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
         "reference", "tiles", "wrap", "quality", "search", "quadric", "curved", "parallax",
-        "penumbra", "facet_pixels", "effects" },
-      { "volume", "tile_mesh", "baked", "rank", "segments" } },
+        "penumbra", "facet_pixels", "baked", "effects" },
+      { "volume", "tile_mesh", "rank", "segments" } },
   };
   for (const std::string& shape : MesoShapeNames())
   {

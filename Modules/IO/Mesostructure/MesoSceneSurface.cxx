@@ -9,8 +9,8 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "geometry-image", "vdm", "gdm",
-  "slices", "shell-sdf" };
+const std::vector<std::string> LaterTechniques = { "vdm", "gdm", "slices",
+  "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "full" };
 
 /// A word of a list, for ToChoice.
@@ -404,12 +404,27 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("facet_pixels",
     [&](const MesoSceneValue& pixels)
     {
-      if (options.Technique != MesoTechnique::Displacement)
+      if (options.Technique != MesoTechnique::Displacement &&
+        options.Technique != MesoTechnique::GeometryImage)
       {
         pixels.Fail("technique " + name + " does not cut by pixels");
       }
       options.FacetPixels = pixels.ToNumber(MesoSceneRanges::NotNegative);
     });
+  value.With("baked",
+    [&](const MesoSceneValue& file)
+    {
+      if (options.Technique != MesoTechnique::GeometryImage)
+      {
+        file.Fail("technique " + name + " has no use for a baked table");
+      }
+      node.Baked = file.ToFileName();
+    });
+  if (options.Technique == MesoTechnique::GeometryImage)
+  {
+    value.Refuse({ "height_map", "depth_map", "relief_map" },
+      "technique geometry-image draws the mesh itself, without relief");
+  }
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });

@@ -60,7 +60,11 @@ private:
   /// The material's normal map, where it is shown; none where it is not.
   MesoNormals ReadNormals(const MesoSceneNode& node, Object& object, const std::string& inScene);
   /// The technique's mapper with its maps, and the mesh that it draws.
-  void MakeMapper(Object& object, const MesoNormals& normals, const std::string& inScene);
+  void MakeMapper(Object& object, const MesoNormals& normals, const std::string& baked,
+    const std::string& inScene);
+  /// Read where a baked file is named, else made of the object's mesh.
+  vtkSmartPointer<vtkImageData> MakeGeometryImage(
+    const Object& object, const std::string& baked, const std::string& inScene);
   /// Colours, contour lines and a scalar bar of the object's numbers.
   void AddScalars(const MesoSceneMaterial& material, const Object& object,
     const std::string& inScene, vtkRenderer* renderer);
