@@ -161,8 +161,7 @@ TEST_F(GeometryImageMapper, WithoutAnImageItIsTheInput)
   EXPECT_TRUE(
     MesoCompareImages(this->Grab(this->Mapper), expected, MesoImageLimits::Exact()).Within);
   this->Mapper->SetGeometryImage(this->ImageOf(this->Mesh, 128));
-  EXPECT_TRUE(
-    MesoCompareImages(this->Grab(this->Mapper), drawn, MesoImageLimits::Exact()).Within);
+  EXPECT_TRUE(MesoCompareImages(this->Grab(this->Mapper), drawn, MesoImageLimits::Exact()).Within);
   MesoMesostructureOptions none = this->Mapper->GetOptions();
   none.Effects.Auto = false;
   this->Mapper->SetOptions(none);

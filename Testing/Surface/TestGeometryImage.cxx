@@ -231,7 +231,8 @@ TEST(GeometryImage, SaysWhatItCannotUse)
   mesh->DeepCopy(Shape("torus"));
   mesh->GetPointData()->GetTCoords()->SetComponent(7, 1, 2.25);
   EXPECT_EQ(message(mesh),
-    "the texture coordinates spread over 2.250000 tiles: a geometry image needs an atlas in [0, 1] x "
+    "the texture coordinates spread over 2.250000 tiles: a geometry image needs an atlas in [0, 1] "
+    "x "
     "[0, 1]");
   mesh->DeepCopy(Shape("torus"));
   mesh->GetPointData()->GetNormals()->SetComponent(7, 1, NAN);

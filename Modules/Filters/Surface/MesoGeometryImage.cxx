@@ -12,7 +12,7 @@
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr double MostTiles = 2.; // of coordinates that are still taken for an atlas
+constexpr double MostTiles = 2.;     // of coordinates that are still taken for an atlas
 constexpr double NearestTexels = 2.; // from which a sample is drawn to the chart's edge
 
 using Point2 = std::array<double, 2>;
@@ -52,7 +52,8 @@ MesoGeometryImage::MesoGeometryImage(const MesoGeometryInput& input)
     if (!(this->Span[k] <= MostTiles))
     {
       throw std::invalid_argument("the texture coordinates spread over " +
-        std::to_string(this->Span[k]) + " tiles: a geometry image needs an atlas in [0, 1] x [0, 1]");
+        std::to_string(this->Span[k]) +
+        " tiles: a geometry image needs an atlas in [0, 1] x [0, 1]");
     }
   }
   for (const Point2& coordinate : input.Coordinates)
@@ -149,9 +150,9 @@ double MesoGeometryImage::LengthOf(const EdgeKey& edge) const
   for (const int side : this->Cuts.at(edge))
   {
     const std::int64_t corner = this->Sides[side].Corner;
-    const Point2 step = Difference(
-      this->Placed[this->Input.Mesh.PointOf(MesoTriangleMesh::Next(corner))],
-      this->Placed[this->Input.Mesh.PointOf(corner)]);
+    const Point2 step =
+      Difference(this->Placed[this->Input.Mesh.PointOf(MesoTriangleMesh::Next(corner))],
+        this->Placed[this->Input.Mesh.PointOf(corner)]);
     least = std::min(least, std::max(std::abs(step[0]), std::abs(step[1])));
   }
   return least;
@@ -178,8 +179,7 @@ bool MesoGeometryImage::IsCorner(std::int64_t vertex, const std::vector<EdgeKey>
       {
         std::swap(here, there);
       }
-      ways[here].push_back(
-        Difference(this->Placed[there], this->Placed[here]));
+      ways[here].push_back(Difference(this->Placed[there], this->Placed[here]));
     }
   }
   if (charts[0] != charts[1])
@@ -282,19 +282,18 @@ void MesoGeometryImage::PlaceOn(
   const int least = chain.Loop ? 3 : 1;
   const int places = std::max(least, static_cast<int>(length * level.Size / StitchStep));
   const double t = side.From + along * (side.To - side.From);
-  const double place =
-    std::round(length > 0. ? t / length * places : 0.) / places * length;
-  std::size_t number = std::lower_bound(chain.Ends.begin(), chain.Ends.end(), place) -
-    chain.Ends.begin();
+  const double place = std::round(length > 0. ? t / length * places : 0.) / places * length;
+  std::size_t number =
+    std::lower_bound(chain.Ends.begin(), chain.Ends.end(), place) - chain.Ends.begin();
   number = std::min(number, chain.Ends.size() - 1);
   const double start = number > 0 ? chain.Ends[number - 1] : 0.;
   const double size = chain.Ends[number] - start;
   const double part = size > 0. ? std::clamp((place - start) / size, 0., 1.) : 0.;
   const auto& ends = chain.Edges[number];
   // From the chain alone, so that both sides of the cut get the same to the last bit.
-  level.Positions[texel] = part == 1. ? mesh.Positions[this->PointAt[ends[1]]]
-                                      : Blend(mesh.Positions[this->PointAt[ends[0]]],
-                                          mesh.Positions[this->PointAt[ends[1]]], part);
+  level.Positions[texel] = part == 1.
+    ? mesh.Positions[this->PointAt[ends[1]]]
+    : Blend(mesh.Positions[this->PointAt[ends[0]]], mesh.Positions[this->PointAt[ends[1]]], part);
   // Normal and coordinate are this side's: of the chart, and nearest where it meets itself.
   double nearest = std::numeric_limits<double>::infinity();
   const Point2 here = level.Coordinates[texel];
@@ -313,8 +312,7 @@ void MesoGeometryImage::PlaceOn(
       std::swap(a, b);
     }
     const Point2 step = Difference(this->Placed[b], this->Placed[a]);
-    const Point2 at = { this->Placed[a][0] + part * step[0],
-      this->Placed[a][1] + part * step[1] };
+    const Point2 at = { this->Placed[a][0] + part * step[0], this->Placed[a][1] + part * step[1] };
     const double distance = std::hypot(at[0] - here[0], at[1] - here[1]);
     if (distance < nearest)
     {
@@ -359,8 +357,7 @@ void MesoGeometryImage::Stitch(MesoGeometryLevel& level) const
   {
     const Side& side = this->Sides[s];
     const Point2& a = this->Placed[this->Input.Mesh.PointOf(side.Corner)];
-    const Point2& b =
-      this->Placed[this->Input.Mesh.PointOf(MesoTriangleMesh::Next(side.Corner))];
+    const Point2& b = this->Placed[this->Input.Mesh.PointOf(MesoTriangleMesh::Next(side.Corner))];
     const Point2 step = Difference(b, a);
     const double square = step[0] * step[0] + step[1] * step[1];
     int low[2];
@@ -384,9 +381,8 @@ void MesoGeometryImage::Stitch(MesoGeometryLevel& level) const
           continue;
         }
         const Point2 from = Difference({ (column + 0.5) / n, (row + 0.5) / n }, a);
-        const double along = square > 0.
-          ? std::clamp((from[0] * step[0] + from[1] * step[1]) / square, 0., 1.)
-          : 0.;
+        const double along =
+          square > 0. ? std::clamp((from[0] * step[0] + from[1] * step[1]) / square, 0., 1.) : 0.;
         const double distance =
           n * std::hypot(from[0] - along * step[0], from[1] - along * step[1]);
         if (distance < found->second.Distance && distance <= NearestTexels)
@@ -408,8 +404,7 @@ void MesoGeometryImage::Stitch(MesoGeometryLevel& level) const
 MesoGeometryLevel MesoGeometryImage::Sample(int size) const
 {
   const MesoTriangleMesh& mesh = this->Input.Mesh;
-  const MesoTexelCover cover =
-    MesoCoverTexels(this->Placed, mesh.Triangles, size, size);
+  const MesoTexelCover cover = MesoCoverTexels(this->Placed, mesh.Triangles, size, size);
   MesoGeometryLevel level;
   level.Size = size;
   level.Overlapping = cover.Overlapping;
@@ -430,8 +425,8 @@ MesoGeometryLevel MesoGeometryImage::Sample(int size) const
     MesoVector normal = { 0., 0., 0. };
     for (int k = 0; k < 3; ++k)
     {
-      level.Positions[texel] = MesoSum(
-        level.Positions[texel], MesoScaled(mesh.Positions[corners[k]], weights[k]));
+      level.Positions[texel] =
+        MesoSum(level.Positions[texel], MesoScaled(mesh.Positions[corners[k]], weights[k]));
       normal = MesoSum(normal, MesoScaled(this->Input.Normals[corners[k]], weights[k]));
     }
     level.Normals[texel] = Unit(normal);
@@ -458,7 +453,8 @@ std::vector<std::int32_t> MesoGeometryImage::Triangles(const MesoGeometryLevel& 
   const auto& positions = level.Positions;
   const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c)
   {
-    if (positions[a] != positions[b] && positions[b] != positions[c] && positions[c] != positions[a])
+    if (positions[a] != positions[b] && positions[b] != positions[c] &&
+      positions[c] != positions[a])
     {
       const bool mirrored = level.Charts[a] < 0;
       triangles.insert(triangles.end(), { a, mirrored ? c : b, mirrored ? b : c });

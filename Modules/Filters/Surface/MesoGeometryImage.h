@@ -66,8 +66,8 @@ private:
   {
     std::int64_t Corner;
     int Chart;
-    int Chain;     ///< -1: both ends are one vertex
-    double From;   ///< where it begins and ends along the chain
+    int Chain;   ///< -1: both ends are one vertex
+    double From; ///< where it begins and ends along the chain
     double To;
   };
   /// A stretch of cuts, and the edges along it.
@@ -92,9 +92,9 @@ private:
   std::array<double, 2> Low = { 0., 0. }; ///< coordinates at the image's lower left
   std::array<double, 2> Span = { 1., 1. };
   std::vector<std::array<double, 2>> Placed; ///< coordinates over the image
-  std::vector<int> ChartOf; ///< by triangle, from 0
+  std::vector<int> ChartOf;                  ///< by triangle, from 0
   std::vector<bool> Mirrored;
-  std::vector<std::int64_t> PointAt; ///< by merged vertex
+  std::vector<std::int64_t> PointAt;        ///< by merged vertex
   std::map<EdgeKey, std::vector<int>> Cuts; ///< sides by edge, the lesser vertex first
   std::vector<std::vector<EdgeKey>> CutsAt; ///< by vertex
   std::vector<Side> Sides;

@@ -9,8 +9,7 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "vdm", "gdm", "slices",
-  "shell-sdf" };
+const std::vector<std::string> LaterTechniques = { "vdm", "gdm", "slices", "shell-sdf" };
 const std::vector<std::string> LaterQualities = { "full" };
 
 /// A word of a list, for ToChoice.

@@ -102,8 +102,7 @@ std::string MesoGeometryImageShader::Upload(vtkOpenGLRenderWindow* window)
       area += vtkTriangle::TriangleArea(points[0], points[1], points[2]);
     }
     grid.Indices = indices.size() - grid.FirstIndex;
-    grid.Spacing =
-      grid.Indices > 0 ? std::sqrt(6. * area / static_cast<double>(grid.Indices)) : 0.;
+    grid.Spacing = grid.Indices > 0 ? std::sqrt(6. * area / static_cast<double>(grid.Indices)) : 0.;
     this->Levels.push_back(grid);
   }
   if (indices.empty())

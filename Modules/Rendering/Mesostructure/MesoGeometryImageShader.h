@@ -65,7 +65,7 @@ private:
   MesoBufferTexture Vertices;
   vtkNew<vtkOpenGLBufferObject> Indices;
   std::size_t IndexBytes = 0;
-  unsigned long long UploadedTime = 0; ///< MTime of the image that the buffers hold
+  unsigned long long UploadedTime = 0;         ///< MTime of the image that the buffers hold
   vtkOpenGLRenderWindow* UploadedTo = nullptr; ///< never looked into
 };
 

@@ -17,9 +17,9 @@
 #include "vtkMesoBumpMapper.h"
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoDisplacementMapper.h"
-#include "vtkMesoImageReader.h"
 #include "vtkMesoGeometryImage.h"
 #include "vtkMesoGeometryImageMapper.h"
+#include "vtkMesoImageReader.h"
 #include "vtkMesoLoopSubdivision.h"
 #include "vtkMesoMeshReader.h"
 #include "vtkMesoMovedMesh.h"
@@ -143,7 +143,8 @@ void CheckGeometryEffects(const MesoMesostructureOptions& options, const std::st
   if (!effects.Without({ MesoEffect::CastShadow }).Empty() && !ofGeometry.Without(effects).Empty())
   {
     throw MesoInputError(place + ": technique " + MesoName(options.Technique) +
-      " shows occlusion, depth and silhouette together: all of them must be among its effects, or no "
+      " shows occlusion, depth and silhouette together: all of them must be among its effects, or "
+      "no "
       "effect at all");
   }
 }
@@ -344,8 +345,9 @@ void MesoSceneBuilder::AddScalars(const MesoSceneMaterial& material, const Objec
   object.Mapper->ScalarVisibilityOff();
   if (material.ColorBy && object.Options.Technique == MesoTechnique::GeometryImage)
   {
-    throw MesoInputError(inScene + ".color_by: technique geometry-image draws positions and normals, "
-                                   "and has no numbers to color by");
+    throw MesoInputError(inScene +
+      ".color_by: technique geometry-image draws positions and normals, "
+      "and has no numbers to color by");
   }
   if (material.ColorBy)
   {
@@ -418,8 +420,8 @@ vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeGeometryImage(
   return image->GetOutput();
 }
 
-void MesoSceneBuilder::MakeMapper(Object& object, const MesoNormals& normals,
-  const std::string& baked, const std::string& inScene)
+void MesoSceneBuilder::MakeMapper(
+  Object& object, const MesoNormals& normals, const std::string& baked, const std::string& inScene)
 {
   if (object.Options.Technique == MesoTechnique::Relief ||
     MesoBendsRelief(object.Options.Technique))

@@ -230,8 +230,7 @@ void vtkMesoDisplacementMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor
   using Extra = MesoDisplacementShader::Extra;
   const bool coordinates = this->InterpolateScalarsBeforeMapping && this->ColorCoordinates;
   const bool colors = !coordinates && this->VBOs->GetNumberOfComponents("scalarColor") != 0;
-  const Extra extra =
-    coordinates ? Extra::Coordinates : (colors ? Extra::Colors : Extra::Nothing);
+  const Extra extra = coordinates ? Extra::Coordinates : (colors ? Extra::Colors : Extra::Nothing);
   if (extra != this->Displacement->GetExtra())
   {
     this->Displacement->SetExtra(extra);
