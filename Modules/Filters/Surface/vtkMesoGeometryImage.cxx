@@ -218,8 +218,8 @@ void vtkMesoGeometryImage::Execute(vtkPolyData* input, vtkImageData* output)
     }
     const double place[] = { double(size), double(firstRow), 0., 0. };
     const vtkIdType number = levels->InsertNextTuple(place);
-    const auto distances = DistancesFrom(
-      vtkMesoGeometryImage::SurfaceOf(output, static_cast<int>(number)), mesh.Mesh);
+    const auto distances =
+      DistancesFrom(vtkMesoGeometryImage::SurfaceOf(output, static_cast<int>(number)), mesh.Mesh);
     levels->SetComponent(number, 2, distances[0]);
     levels->SetComponent(number, 3, distances[1]);
     firstRow += size;

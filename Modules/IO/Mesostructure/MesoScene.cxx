@@ -233,8 +233,7 @@ MesoSceneNode ReadNode(const MesoSceneValue& value)
   value.With("mesh", [&](const MesoSceneValue& mesh) { node.Mesh = MesoReadSceneMesh(mesh); });
   if (!node.Mesh)
   {
-    value.Refuse(
-      { "feature_angle", "subdivide", "material", "mesostructure" },
+    value.Refuse({ "feature_angle", "subdivide", "material", "mesostructure" },
       "there is no mesh beside it that it is of");
   }
   value.With("feature_angle",
