@@ -430,8 +430,10 @@ MesoGeometryLevel MesoGeometryImage::Sample(int size) const
       normal = MesoSum(normal, MesoScaled(this->Input.Normals[corners[k]], weights[k]));
     }
     level.Normals[texel] = Unit(normal);
-    level.Coordinates[texel] = { (double(texel % size) + 0.5) / size,
-      (double(texel / size) + 0.5) / size };
+    const std::size_t row = texel / size;
+    const std::size_t column = texel % size;
+    level.Coordinates[texel] = { (static_cast<double>(column) + 0.5) / size,
+      (static_cast<double>(row) + 0.5) / size };
     const int chart = this->ChartOf[triangle];
     level.Charts[texel] = this->Mirrored[chart] ? -1 - chart : 1 + chart;
   }

@@ -79,7 +79,7 @@ private:
   vtkMesoGeometryImage(const vtkMesoGeometryImage&) = delete;
   void operator=(const vtkMesoGeometryImage&) = delete;
 
-  void Execute(vtkPolyData* input, vtkImageData* output);
+  void Make(vtkPolyData* input, vtkImageData* output);
 
   int Size = 256;
   std::string ErrorMessage;
