@@ -1,10 +1,12 @@
 #include "CommandBake.h"
 
 #include "BakeFromMesh.h"
+#include "BakeGDM.h"
 #include "BakeGeometryImage.h"
 #include "BakeHorizon.h"
 #include "BakeNormal.h"
 #include "BakeSearchMap.h"
+#include "BakeVDM.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,11 +14,13 @@ CommandBake::CommandBake(CLI::App& app)
   : Command(app.add_subcommand("bake", "Compute once, from a map, what a technique needs."))
 {
   this->Kinds.push_back(std::make_unique<BakeFromMesh>());
+  this->Kinds.push_back(std::make_unique<BakeGDM>());
   this->Kinds.push_back(std::make_unique<BakeGeometryImage>());
   this->Kinds.push_back(std::make_unique<BakeHorizon>());
   this->Kinds.push_back(std::make_unique<BakeNormal>());
   this->Kinds.push_back(std::make_unique<BakeCone>());
   this->Kinds.push_back(std::make_unique<BakeMaximumMip>());
+  this->Kinds.push_back(std::make_unique<BakeVDM>());
   this->Command->require_subcommand(0, 1); // so that a mistyped kind is named
   for (const auto& kind : this->Kinds)
   {

@@ -14,6 +14,10 @@ out vec3 mesoNormalVCGSOutput;
 in float mesoReliefVSOutput[];
 out float mesoReliefGSOutput;
 #endif
+#ifdef MESO_PRISMS
+flat in float mesoPrismVSOutput[];
+flat out float mesoPrismGSOutput;
+#endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput[];
 in vec3 mesoPerTCoordUVSOutput[];

@@ -8,6 +8,9 @@
 #ifdef MESO_DISPLACED
     mesoReliefGSOutput = mesoReliefVSOutput[i];
 #endif
+#ifdef MESO_PRISMS
+    mesoPrismGSOutput = mesoPrismVSOutput[i];
+#endif
 #ifdef MESO_FRAME
     mesoNormalMCGSOutput = mesoNormalMCVSOutput[i];
     mesoPerTCoordUGSOutput = mesoPerTCoordUVSOutput[i];

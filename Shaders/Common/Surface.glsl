@@ -4,6 +4,7 @@
 //   MESO_QUADRIC      the technique bends its relief over a quadric
 //   MESO_CURVATURE    the quadric is that of the vertices, else the tangent plane
 //   MESO_DISPLACED    the mesh itself is the detail
+//   MESO_PRISMS       the mesh is a shell of prisms
 //   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
 //   MESO_CLIPPED      clipping planes cut the surface
 //   MESO_NORMAL_MAP   a normal map gives the shading normal: Common/NormalMap
@@ -49,6 +50,9 @@ in vec3 mesoNormalVCVSOutput;
 uniform vec2 mesoTiles;
 #ifdef MESO_DISPLACED
 in float mesoReliefVSOutput;
+#endif
+#ifdef MESO_PRISMS
+flat in float mesoPrismVSOutput;
 #endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput;

@@ -2,6 +2,7 @@
 //   MESO_FRAME      the technique uses the tangent frame of the vertex
 //   MESO_CURVATURE  and its quadric
 //   MESO_DISPLACED  the mesh itself is the detail
+//   MESO_PRISMS     the mesh is a shell of prisms
 //   MESO_DICED      the technique places the vertices: what else are attributes are its variables
 #ifndef MESO_DICED
 in vec2 mesoTCoord;
@@ -22,6 +23,10 @@ out vec2 mesoTCoordVSOutput;
 out vec3 mesoNormalVCVSOutput;
 #ifdef MESO_DISPLACED
 out float mesoReliefVSOutput;
+#endif
+#ifdef MESO_PRISMS
+in float mesoPrism; // number of the prism
+flat out float mesoPrismVSOutput;
 #endif
 #ifdef MESO_FRAME
 uniform mat3 mesoModelToView; // linear part of model to view, without the buffer's own scale

@@ -4,6 +4,9 @@
 #ifdef MESO_DISPLACED
   mesoReliefVSOutput = mesoRelief;
 #endif
+#ifdef MESO_PRISMS
+  mesoPrismVSOutput = mesoPrism;
+#endif
 #ifdef MESO_FRAME
 #ifdef MESO_DICED
   mesoNormalMCVSOutput = mesoBaseNormal;

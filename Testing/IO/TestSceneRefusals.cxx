@@ -88,24 +88,43 @@ TEST(SceneRefusals, UnknownKeys)
 TEST(SceneRefusals, KnownButNotYetServed)
 {
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
-  for (const char* key : { "volume", "tile_mesh", "rank", "segments" })
-  {
-    EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
-      std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
-  }
+}
+
+TEST(SceneRefusals, TablesThatDoNotGoTogether)
+{
+  const std::string head = R"("mesh": "a.obj", "mesostructure": {"technique": "vdm", )";
+  const std::string place = "s.json: nodes[0].mesostructure";
+  EXPECT_EQ(
+    OfNode(head + R"("scale": 1})"), place + ": technique vdm needs a height_map or a depth_map");
+  EXPECT_EQ(OfNode(head + R"("baked": "a.vdm.vti"})"),
+    place + ": technique vdm needs scale, the height of its relief in object units");
+  EXPECT_EQ(OfNode(head + R"("wrap": "clamp"})"),
+    place + ".wrap: technique vdm has a table of a tile that repeats");
+  EXPECT_EQ(OfNode(head + R"("quality": "full", "rank": [8, 4]})"),
+    place + ".rank: quality full is the table itself, without factors");
+  EXPECT_EQ(OfNode(head + R"("quality": "certified"})"),
+    place + ".quality: technique vdm has no quality certified");
+  EXPECT_TRUE(Mentions(OfNode(head + R"("rank": [0, 4]})"), place + ".rank[0]"));
+  EXPECT_TRUE(Mentions(OfNode(head + R"("rank": [13, 4]})"), place + ".rank[0]"));
+  EXPECT_EQ(
+    OfRelief(R"(, "rank": [8, 4])"), place + ".rank: technique relief has no table with factors");
+  EXPECT_EQ(OfRelief(R"(, "baked": "a.vti")"),
+    place + ".baked: technique relief has no use for a baked table");
 }
 
 TEST(SceneRefusals, WordsThatAreNoChoice)
 {
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
-  EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
-    "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
+  EXPECT_EQ(OfNode(head + R"("technique": "slices"})"),
+    "s.json: nodes[0].mesostructure.technique: technique \"slices\" is not available yet (choices: "
     "plain, bump, normal, normal-object, parallax, horizon, relief, relief-quadric, "
-    "relief-quadric-exact, displacement, geometry-image, tessellated)");
+    "relief-quadric-exact, vdm, gdm, shell-sdf, displacement, geometry-image, "
+    "tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
     "relief? choices: plain, bump, normal, normal-object, parallax, horizon, relief, "
-    "relief-quadric, relief-quadric-exact, displacement, geometry-image, tessellated)");
+    "relief-quadric, relief-quadric-exact, vdm, gdm, shell-sdf, displacement, geometry-image, "
+    "tessellated)");
   EXPECT_EQ(OfRelief(R"(, "parallax": "offset")"),
     "s.json: nodes[0].mesostructure.parallax: technique relief has no parallax to choose");
   EXPECT_EQ(OfRelief(R"(, "penumbra": 2)"),
@@ -131,8 +150,8 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
     "s.json: nodes[0].mesostructure.quadric: technique relief has no quadric");
   EXPECT_TRUE(Mentions(
     OfNode(head + R"("technique": "relief-quadric", "quadric": "cubic"})"), "full, diagonal"));
-  EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "full"})"),
-    "quality \"full\" is not available yet (choices: draft, low, medium, high, certified)"));
+  EXPECT_EQ(OfNode(head + R"("quality": "full"})"),
+    "s.json: nodes[0].mesostructure.quality: technique plain has no quality full: it has no table");
   EXPECT_EQ(OfNode(head + R"("quality": "certified"})"),
     "s.json: nodes[0].mesostructure.quality: technique plain has no quality certified");
   EXPECT_EQ(OfRelief(R"(, "quality": "certified", "search": "cone")"),
@@ -214,6 +233,12 @@ TEST(SceneRefusals, NodesAndSurfaces)
     { R"("mesh": {"shape": "branch", "radius": 1})", "'radius' must be less than a quarter of" },
     { R"("mesh": {"shape": "cube", "size": [1, 1]})", "mesh.size: must be a list of 3, has 2" },
     { R"("mesh": {"shape": "plane", "size": 2})", "mesh.size: must be a list of 2, is a number" },
+    { R"("part": {"by": "x", "range": [0, 1]})", "nodes[0].part: there is no mesh beside it" },
+    { R"("mesh": "a", "part": {"range": [0, 1]})", "nodes[0].part" },
+    { R"("mesh": "a", "part": {"by": "x"})", "nodes[0].part" },
+    { R"("mesh": "a", "part": {"by": "x", "range": [1, 1]})",
+      "part.range: the first number must be less than the second" },
+    { R"("mesh": "a", "part": {"by": "[0]", "range": [0, 1]})", "part.by: must be the name of" },
     { R"("mesh": "a", "feature_angle": 181)", "feature_angle: must be in [0, 180], is 181" },
     { R"("mesh": "a", "material": {"opacity": 2})", "opacity: must be in [0, 1], is 2" },
     { R"("mesh": "a", "material": {"specular_power": 200})", "must be in [0, 128], is 200" },
@@ -337,4 +362,26 @@ TEST(SceneRefusals, ColorBy)
       OfNode(std::string(R"("mesh": "a.obj", "material": {)") + text + "}");
     EXPECT_TRUE(Mentions(message, part)) << text << " gives " << message;
   }
+}
+
+TEST(SceneRefusals, ShellsOfVolumes)
+{
+  const auto of = [](const std::string& keys)
+  { return OfNode(R"("mesh": "a.obj", "mesostructure": {)" + keys + "}"); };
+  const std::string volume = R"("volume": {"pattern": "weave"}, )";
+  const std::string place = "s.json: nodes[0].mesostructure";
+  for (const char* name : { "gdm", "shell-sdf" })
+  {
+    const std::string technique = std::string(R"("technique": ")") + name + "\"";
+    EXPECT_EQ(of(technique), place + ": technique " + name + " needs a volume or a tile_mesh");
+    EXPECT_EQ(of(volume + technique),
+      place + ": technique " + name + " needs scale, the thickness of its shell in object units");
+    EXPECT_EQ(
+      of(volume + R"("scale": 0, )" + technique), place + ".scale: a shell needs some thickness");
+    EXPECT_EQ(of(volume + R"("scale": 1, "wrap": "clamp", )" + technique),
+      place + ".wrap: a volume repeats");
+    EXPECT_TRUE(Mentions(of(volume + R"("scale": 1, "segments": 65, )" + technique), "segments"));
+  }
+  EXPECT_EQ(OfRelief(R"(, "segments": 2)"),
+    place + ".segments: technique relief has no prisms that rays run through");
 }

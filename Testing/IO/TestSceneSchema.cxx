@@ -5,6 +5,7 @@
 #include "MesoScene.h"
 #include "MesoSceneKeys.h"
 #include "MesoShape.h"
+#include "MesoVolumePattern.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -100,6 +101,11 @@ TEST(SceneSchema, HasTheNumbersOfShapesAndPatterns)
   {
     ExpectParameters(
       definitions.at("pattern_" + pattern).at("properties"), MesoPatternParameters(pattern));
+  }
+  for (const std::string& pattern : MesoVolumePatternNames())
+  {
+    ExpectParameters(
+      definitions.at("volume_" + pattern).at("properties"), MesoVolumePatternParameters(pattern));
   }
 }
 

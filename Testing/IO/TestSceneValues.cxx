@@ -81,6 +81,17 @@ TEST(SceneValues, Lights)
   EXPECT_FALSE(lights[2].InCameraCoordinates);
 }
 
+TEST(SceneValues, Part)
+{
+  EXPECT_FALSE(ParseNode(R"("mesh": "a.obj")").Part);
+  const MesoSceneNode node =
+    ParseNode(R"("mesh": "a.obj", "part": {"by": "MesoCurvature[1]", "range": [-2, 0.5]})");
+  EXPECT_EQ(node.Part->By, "MesoCurvature");
+  EXPECT_EQ(node.Part->Component, 1);
+  EXPECT_EQ(node.Part->Range, (std::array<double, 2>{ -2., 0.5 }));
+  EXPECT_FALSE(ParseNode(R"("mesh": "a", "part": {"by": "v", "range": [0, 1]})").Part->Component);
+}
+
 TEST(SceneValues, MaterialAndFileNames)
 {
   const MesoSceneNode node = ParseNode(R"("name": "pot", "mesh": "meshes/pot.obj",

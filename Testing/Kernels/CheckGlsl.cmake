@@ -15,8 +15,8 @@ macro (add_kernel file)
 endmacro ()
 add_kernel("${KERNEL}")
 
-# What the accessors stand on: a define, and a uniform of Common/Surface.glsl.
-set(shader "#version 150\n#define MESO_WRAP 0\nuniform vec2 mesoTiles;\n")
+# What the accessors stand on: defines, and a uniform of Common/Surface.glsl.
+set(shader "#version 150\n#define MESO_WRAP 0\n#define MESO_GDM_GROUPS 1\nuniform vec2 mesoTiles;\n")
 foreach (file IN LISTS ACCESSORS order)
   file(READ "${file}" text)
   string(APPEND shader "${text}")

@@ -21,6 +21,8 @@ struct FloatKernels
   using HeightField = MesoKernels::Float::HeightField;
   using Quadric = MesoKernels::Float::Quadric;
   using QuadricExact = MesoKernels::Float::QuadricExact;
+  using PrismGeometry = MesoKernels::Float::PrismGeometry;
+  using Volume = MesoKernels::Float::Volume;
 };
 
 struct DoubleKernels
@@ -32,6 +34,8 @@ struct DoubleKernels
   using HeightField = MesoKernels::Double::HeightField;
   using Quadric = MesoKernels::Double::Quadric;
   using QuadricExact = MesoKernels::Double::QuadricExact;
+  using PrismGeometry = MesoKernels::Double::PrismGeometry;
+  using Volume = MesoKernels::Double::Volume;
 };
 
 struct KernelNames

@@ -34,6 +34,7 @@ protected:
     const std::string text = R"({ "meso": 1, "camera": {"position": [0.3, 0.2, 3]},
       "lights": [{"type": "directional", "direction": [-0.2, -0.3, -1]}], "nodes": [)" +
       node + "] }";
+    this->Scene.Renderer->RemoveAllViewProps();
     this->Builder.Build(MesoParseScene(text, "test.json"), this->Scene.Renderer);
     MesoCapture(this->Scene, this->Pass);
     return MesoCheckEveryPixel(this->Pass);
@@ -134,4 +135,46 @@ TEST_F(SceneBuilder, NormalMapsThatContradictTheHeightsAreSaid)
     std::vector<std::string>{ "test.json: nodes[0].mesostructure: the material's normal map says "
                               "that this is a height_map, not a depth_map" });
   std::filesystem::remove(file);
+}
+
+// A mesh in two parts is the mesh: normals and frames are those of the whole.
+TEST_F(SceneBuilder, PartsDrawTheWholeMesh)
+{
+  const std::string torus =
+    R"("mesh": {"shape": "torus", "radius": 0.5, "tube": 0.2}, )" + std::string(Relief);
+  const std::vector<std::string> channels = { "coverage", "depth", "normal.x", "normal.y",
+    "normal.z", "texcoord.u", "texcoord.v", "relief" };
+  const int covered = this->Capture("{" + torus + "}");
+  const auto whole = this->Pass->GetInterleaved(channels);
+  EXPECT_EQ(this->Capture("{\"part\": {\"by\": \"x\", \"range\": [-9, 0.1]}, " + torus +
+              "}, {\"part\": {\"by\": \"x\", \"range\": [0.1, 9]}, " + torus + "}"),
+    covered);
+  EXPECT_EQ(this->Pass->GetInterleaved(channels), whole);
+  const int half =
+    this->Capture("{\"part\": {\"by\": \"x\", \"range\": [-9, 0.1]}, " + torus + "}");
+  EXPECT_GT(half, covered / 4);
+  EXPECT_LT(half, covered * 3 / 4);
+}
+
+TEST_F(SceneBuilder, PartsThatAreNotThereAreSaid)
+{
+  const auto refusal = [this](const std::string& part) -> std::string
+  {
+    try
+    {
+      this->Capture(R"({"mesh": {"shape": "torus"}, "part": )" + part + "}");
+    }
+    catch (const MesoInputError& problem)
+    {
+      return problem.what();
+    }
+    return "nothing refused";
+  };
+  EXPECT_EQ(refusal(R"({"by": "z", "range": [7, 8]})"),
+    "test.json: nodes[0].part: no triangle of the mesh has its z in [7, 8)");
+  EXPECT_NE(
+    refusal(R"({"by": "heat", "range": [0, 1]})").find("part.by: the mesh has no point array"),
+    std::string::npos);
+  EXPECT_NE(refusal(R"({"by": "MesoTangent[3]", "range": [0, 1]})").find("there is no [3]"),
+    std::string::npos);
 }

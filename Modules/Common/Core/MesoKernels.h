@@ -12,6 +12,9 @@
  *     latticePoint, stepOnEdge, perMapCoord, displacedNormal
  *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
  *     solveFrame, tiltedNormal
+ *   MesoKernels::Float::GDMFactors, GDMWhole and those of Double
+ *     a table of distances through a volume (constructed as MesoGDMTexels), as factors or whole, with
+ *     gdmLevel, gdmAzimuth, gdmPolar and gdmDistance
  *   MesoKernels::Float::HeightField, MesoKernels::Double::HeightField
  *     a height map (constructed as MesoHeightTexture) with wrapTexel, bilinearHeight,
  *     heightGradient, patchGradient, searchLinearBinary, searchLinearSecant, occludedLinear, and the
@@ -22,11 +25,19 @@
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross
+ *   MesoKernels::Float::VDMTable, MesoKernels::Double::VDMTable
+ *     what a table of distances over view and curvature holds: vdmDirection, vdmPoint, vdmNumber, ...
  *   MesoKernels::Float::AcrossField, CircleField, CubicField and those of Double
  *     a height map with paths of other kinds: depths across the view ray (acrossPath), below a
  *     circle (circlePath), cubics (cubicPath); with the functions of their bases
  *   MesoKernels::Float::QuadricExact, MesoKernels::Double::QuadricExact
  *     the same and acrossView, distanceAcross, leaveAcross
+ *   MesoKernels::Float::PrismGeometry, MesoKernels::Double::PrismGeometry
+ *     the structs Prism and PrismSpan; prismSpan, prismPlace, prismTangents, prismRates, prismNormal,
+ *     prismFaceNormal
+ *   MesoKernels::Float::Volume, MesoKernels::Double::Volume
+ *     signed distances (constructed as MesoVolumeTexture) with exactDistance, volumeGradient,
+ *     searchVolume
  *
  *   MesoKernels::Double::HeightField field(2, 1, MesoWrap::Repeat, { 0.f, 1.f });
  *   double height = field.bilinearHeight({ 0.5, 0.5 });
@@ -35,7 +46,9 @@
  * -ffp-contract=off, which linking to Meso::CommonCore sets, lest results differ with the machine.
  */
 
+#include "MesoGDMTexels.h"
 #include "MesoHeightTexture.h"
+#include "MesoVolumeTexture.h"
 
 namespace MesoKernels
 {
@@ -158,10 +171,47 @@ public:
 #include "MesoQuadricExactFloat.h"
 };
 
+class GDMFactors : public MesoGDMTexels<float>
+{
+public:
+  using MesoGDMTexels<float>::MesoGDMTexels;
+#include "MesoGDMTableFloat.h"
+//
+#include "MesoGDMFactorsFloat.h"
+};
+
+class GDMWhole : public MesoGDMTexels<float>
+{
+public:
+  using MesoGDMTexels<float>::MesoGDMTexels;
+#include "MesoGDMTableFloat.h"
+//
+#include "MesoGDMWholeFloat.h"
+};
+
 class Horizon
 {
 public:
 #include "MesoHorizonFloat.h"
+};
+
+class PrismGeometry
+{
+public:
+#include "MesoPrismFloat.h"
+};
+
+class Volume : public MesoVolumeTexture<float>
+{
+public:
+  using MesoVolumeTexture<float>::MesoVolumeTexture;
+#include "MesoVolumeFloat.h"
+};
+
+class VDMTable
+{
+public:
+#include "MesoVDMTableFloat.h"
 };
 
 class HeightField : public MesoHeightTexture<float>
@@ -280,10 +330,47 @@ public:
 #include "MesoQuadricExactDouble.h"
 };
 
+class GDMFactors : public MesoGDMTexels<double>
+{
+public:
+  using MesoGDMTexels<double>::MesoGDMTexels;
+#include "MesoGDMTableDouble.h"
+//
+#include "MesoGDMFactorsDouble.h"
+};
+
+class GDMWhole : public MesoGDMTexels<double>
+{
+public:
+  using MesoGDMTexels<double>::MesoGDMTexels;
+#include "MesoGDMTableDouble.h"
+//
+#include "MesoGDMWholeDouble.h"
+};
+
 class Horizon
 {
 public:
 #include "MesoHorizonDouble.h"
+};
+
+class PrismGeometry
+{
+public:
+#include "MesoPrismDouble.h"
+};
+
+class Volume : public MesoVolumeTexture<double>
+{
+public:
+  using MesoVolumeTexture<double>::MesoVolumeTexture;
+#include "MesoVolumeDouble.h"
+};
+
+class VDMTable
+{
+public:
+#include "MesoVDMTableDouble.h"
 };
 
 class HeightField : public MesoHeightTexture<double>

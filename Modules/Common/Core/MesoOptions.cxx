@@ -14,13 +14,14 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::NormalObject, "normal-object" }, { MesoTechnique::Parallax, "parallax" },
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
-  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" },
+  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::VDM, "vdm" },
+  { MesoTechnique::GDM, "gdm" }, { MesoTechnique::ShellSDF, "shell-sdf" },
   { MesoTechnique::Displacement, "displacement" },
   { MesoTechnique::GeometryImage, "geometry-image" },
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
-  { MesoQuality::Certified, "certified" } };
+  { MesoQuality::Certified, "certified" }, { MesoQuality::Full, "full" } };
 constexpr Entry<MesoSearch> Searches[] = { { MesoSearch::LinearBinary, "linear-binary" },
   { MesoSearch::LinearSecant, "linear-secant" }, { MesoSearch::Cone, "cone" },
   { MesoSearch::Certified, "certified" } };
@@ -29,7 +30,9 @@ constexpr Entry<MesoWrap> Wraps[] = { { MesoWrap::Repeat, "repeat" }, { MesoWrap
 constexpr Entry<MesoEffect> EffectTable[] = { { MesoEffect::Shading, "shading" },
   { MesoEffect::Occlusion, "occlusion" }, { MesoEffect::SelfShadow, "self_shadow" },
   { MesoEffect::Depth, "depth" }, { MesoEffect::Silhouette, "silhouette" },
-  { MesoEffect::Curvature, "curvature" }, { MesoEffect::CastShadow, "cast_shadow" } };
+  { MesoEffect::Curvature, "curvature" }, { MesoEffect::CastShadow, "cast_shadow" },
+  { MesoEffect::OpenBoundary, "open_boundary" },
+  { MesoEffect::NonHeightField, "non_height_field" } };
 constexpr Entry<MesoQuadricKind> QuadricKinds[] = { { MesoQuadricKind::Full, "full" },
   { MesoQuadricKind::Diagonal, "diagonal" } };
 constexpr Entry<MesoCurvedKind> CurvedKinds[] = { { MesoCurvedKind::Quadric, "quadric" },
@@ -355,8 +358,14 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
         MesoEffect::Depth, MesoEffect::CastShadow };
     case MesoTechnique::ReliefQuadric:
     case MesoTechnique::ReliefQuadricExact:
+    case MesoTechnique::VDM:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
+    case MesoTechnique::GDM:
+    case MesoTechnique::ShellSDF:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
+        MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow,
+        MesoEffect::OpenBoundary, MesoEffect::NonHeightField };
     case MesoTechnique::Displacement:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
@@ -392,6 +401,12 @@ MesoSearch MesoSearchOf(const MesoMesostructureOptions& options)
 std::string MesoSearchProblem(const MesoMesostructureOptions& options)
 {
   const bool certified = options.Quality == MesoQuality::Certified;
+  if (options.Quality == MesoQuality::Full && options.Technique != MesoTechnique::VDM &&
+    options.Technique != MesoTechnique::GDM)
+  {
+    return std::string("technique ") + MesoName(options.Technique) +
+      " has no quality full: it has no table";
+  }
   if (!MesoHasSearches(options.Technique))
   {
     const std::string technique = std::string("technique ") + MesoName(options.Technique);

@@ -190,6 +190,9 @@ MESOCOMMONCORE_EXPORT bool MesoUsesHeightMap(MesoTechnique technique);
 /// Whether a technique draws a volume of mesostructure; the others have no use for one.
 MESOCOMMONCORE_EXPORT bool MesoUsesVolume(MesoTechnique technique);
 
+/// Straight pieces that a ray's way through a prism may be cut into, at most.
+constexpr int MesoMostSegments = 64;
+
 /// Whether a technique's rays can look for the height map by each MesoSearch. The others have neither
 /// the option Search nor the quality Certified.
 MESOCOMMONCORE_EXPORT bool MesoHasSearches(MesoTechnique technique);

@@ -1,6 +1,7 @@
 #include "MesoBakedFile.h"
 
 #include "MesoAtomicFile.h"
+#include "MesoChecksum.h"
 #include "MesoMessage.h"
 #include "MesoScene.h" // for MesoInputError
 #include "vtkDoubleArray.h"
@@ -13,9 +14,6 @@
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 
-#include <cinttypes>
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -28,81 +26,23 @@ const std::string KindName = Prefix + "kind";
 const std::string FormatName = Prefix + "format";
 const std::string ChecksumName = Prefix + "checksum";
 
-std::string NameOf(vtkAbstractArray* array)
-{
-  return array->GetName() ? array->GetName() : "";
-}
-
 bool IsOurs(const std::string& name)
 {
   return name.compare(0, Prefix.size(), Prefix) == 0;
 }
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo), published constants.
-class Checksum
-{
-public:
-  void Add(const void* bytes, std::size_t count)
-  {
-    const auto* byte = static_cast<const unsigned char*>(bytes);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      this->Hash = (this->Hash ^ byte[i]) * 0x100000001b3u;
-    }
-  }
-  /// Its length too, so that two texts cannot stand for two others.
-  void Add(const std::string& text)
-  {
-    this->Add(static_cast<std::int64_t>(text.size()));
-    this->Add(text.data(), text.size());
-  }
-  void Add(std::int64_t number) { this->Add(&number, sizeof(number)); }
-
-  void Add(vtkAbstractArray* array)
-  {
-    this->Add(NameOf(array));
-    this->Add(array->GetDataType());
-    this->Add(array->GetNumberOfComponents());
-    this->Add(array->GetNumberOfTuples());
-    if (auto* texts = vtkStringArray::SafeDownCast(array))
-    {
-      for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
-      {
-        this->Add(std::string(texts->GetValue(i)));
-      }
-    }
-    else
-    {
-      this->Add(array->GetVoidPointer(0),
-        std::size_t(array->GetNumberOfValues()) * std::size_t(array->GetDataTypeSize()));
-    }
-  }
-
-  std::string Text() const
-  {
-    char text[17];
-    std::snprintf(text, sizeof(text), "%016" PRIx64, this->Hash);
-    return text;
-  }
-
-private:
-  std::uint64_t Hash = 0xcbf29ce484222325u;
-};
-
 /// Of everything that the file says but the checksum itself.
 std::string ChecksumOf(vtkImageData* table)
 {
-  Checksum sum;
-  sum.Add(table->GetExtent(), 6 * sizeof(int));
-  sum.Add(table->GetSpacing(), 3 * sizeof(double));
-  sum.Add(table->GetOrigin(), 3 * sizeof(double));
+  MesoChecksum sum;
+  sum.AddGrid(table);
   for (vtkFieldData* data :
     { static_cast<vtkFieldData*>(table->GetPointData()), table->GetFieldData() })
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      if (NameOf(array) != ChecksumName)
+      if (MesoArrayName(array) != ChecksumName)
       {
         sum.Add(array);
       }
@@ -172,7 +112,8 @@ std::string Problem(const MesoBaked& baked)
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      if (NameOf(array).empty() || IsOurs(NameOf(array)) || array->GetDataType() == VTK_BIT)
+      if (MesoArrayName(array).empty() || IsOurs(MesoArrayName(array)) ||
+        array->GetDataType() == VTK_BIT)
       {
         return "a table has no name, a name that begins with \"" + Prefix + "\", or values of bits";
       }
@@ -207,7 +148,7 @@ std::string BytesOf(const std::string& fileName)
 /// The comment that ends a file of these bytes.
 std::string Seal(const std::string& bytes, std::size_t count)
 {
-  Checksum sum;
+  MesoChecksum sum;
   sum.Add(bytes.data(), count);
   return "<!-- meso " + sum.Text() + " -->\n";
 }
@@ -324,7 +265,7 @@ MesoBaked MesoReadBaked(const std::string& fileName, const std::string& kind)
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
-    const std::string name = NameOf(array);
+    const std::string name = MesoArrayName(array);
     if (!IsOurs(name))
     {
       others->AddArray(array);

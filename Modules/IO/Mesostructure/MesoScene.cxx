@@ -233,13 +233,14 @@ MesoSceneNode ReadNode(const MesoSceneValue& value)
   value.With("mesh", [&](const MesoSceneValue& mesh) { node.Mesh = MesoReadSceneMesh(mesh); });
   if (!node.Mesh)
   {
-    value.Refuse({ "feature_angle", "subdivide", "material", "mesostructure" },
+    value.Refuse({ "feature_angle", "subdivide", "part", "material", "mesostructure" },
       "there is no mesh beside it that it is of");
   }
   value.With("feature_angle",
     [&](const MesoSceneValue& angle) {
       node.Mesh->FeatureAngle = angle.ToNumber({ 0., 180., true });
     });
+  value.With("part", [&](const MesoSceneValue& part) { node.Part = MesoReadScenePart(part); });
   value.With("subdivide",
     [&](const MesoSceneValue& times)
     {

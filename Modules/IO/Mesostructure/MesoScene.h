@@ -98,6 +98,14 @@ struct MesoSceneScalarBar
   MesoSceneHeightUnit ValuesOf = MesoSceneHeightUnit::Height; ///< of heights
 };
 
+/// Which triangles of a mesh are meant: those where the mean of their corners' value lies in a range.
+struct MesoScenePart
+{
+  std::string By;               ///< x, y, z, u, v, or the name of a point array
+  std::optional<int> Component; ///< of an array; without one: the magnitude of the tuple
+  std::array<double, 2> Range = { 0., 1. }; ///< from, up to but without
+};
+
 struct MesoSceneMaterial
 {
   MesoVector3 Color = { 1., 1., 1. };
@@ -142,17 +150,23 @@ struct MesoSceneMap
   std::optional<std::array<double, 2>> SampleSpacing; ///< object units a sample
 };
 
-/// Mesostructure that is no height field: a volume's file, or a built-in one.
+/// Mesostructure that is no height field: a volume's file, a mesh that fills a tile, or a built-in one.
 struct MesoSceneVolume
 {
   std::string File;    ///< resolved file name, or empty where Pattern is given
-  bool IsMesh = false; ///< the file is a closed mesh that fills one tile (tile_mesh)
+  bool IsMesh = false; ///< the file is a closed mesh (tile_mesh)
   std::string Pattern; ///< of MesoVolumePatternNames()
-  std::array<int, 3> Size = { 64, 64, 32 };
+  /// Voxels of the canonical volume; default: 64 x 64 x 32, of a file its own up to that many a side.
+  std::optional<std::array<int, 3>> Size;
   std::uint32_t Seed = 1;
   std::map<std::string, double> Parameters; ///< the pattern's further numbers by key
-  /// Stored numbers from here on are solid; default: the middle of what the file's type holds.
+  /// Stored numbers from here on are solid; default: what parts them best (MesoVolumeReport).
   std::optional<double> Threshold;
+  bool SolidBelow = false; ///< numbers below Threshold are solid
+  /// [x0, x1, y0, y1, z0, z1]: the part of the file that is the tile, in samples from 0, or, of a mesh,
+  /// in its own units; default: all of it.
+  std::optional<std::array<double, 6>> Crop;
+  double Blend = 0.; ///< of the tile's width and height, that is faded so that it tiles: [0, 0.5]
 };
 
 struct MesoSceneNode
@@ -161,6 +175,7 @@ struct MesoSceneNode
   /// Row-major; what `matrix` or translate * rotate * scale say.
   std::array<double, 16> Matrix = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
   std::optional<MesoSceneMesh> Mesh;
+  std::optional<MesoScenePart> Part; ///< of the mesh; without one: all of it
   MesoSceneMaterial Material;
   MesoMesostructureOptions Mesostructure;
   std::optional<MesoSceneMap> Map;

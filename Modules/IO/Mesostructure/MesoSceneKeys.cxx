@@ -2,6 +2,7 @@
 
 #include "MesoPattern.h"
 #include "MesoShape.h"
+#include "MesoVolumePattern.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -22,9 +23,10 @@ std::vector<MesoSceneKeyGroup> MakeTable()
       {} },
     { "transform", { "matrix", "translate", "rotate", "scale" }, {} },
     { "node",
-      { "name", "transform", "children", "mesh", "feature_angle", "subdivide", "material",
+      { "name", "transform", "children", "mesh", "feature_angle", "subdivide", "part", "material",
         "mesostructure" },
       {} },
+    { "part", { "by", "range" }, {} },
     { "material",
       { "color", "color_map", "normal_map", "normal_map_y", "color_by", "lookup_table",
         "scalar_bar", "contours", "ambient", "diffuse", "specular", "specular_power", "opacity",
@@ -36,8 +38,10 @@ std::vector<MesoSceneKeyGroup> MakeTable()
     { "mesostructure",
       { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
         "reference", "tiles", "wrap", "quality", "search", "quadric", "curved", "parallax",
-        "penumbra", "facet_pixels", "baked", "effects" },
-      { "volume", "tile_mesh", "rank", "segments" } },
+        "penumbra", "facet_pixels", "baked", "rank", "effects", "volume", "tile_mesh", "segments" },
+      {} },
+    { "volume_file", { "file", "threshold", "solid", "crop", "blend", "size" }, {} },
+    { "mesh_tile", { "file", "box", "size" }, {} },
   };
   for (const std::string& shape : MesoShapeNames())
   {
@@ -52,6 +56,15 @@ std::vector<MesoSceneKeyGroup> MakeTable()
   {
     MesoSceneKeyGroup group = { "pattern_" + pattern, { "pattern", "size", "seed" }, {} };
     for (const MesoParameter& parameter : MesoPatternParameters(pattern))
+    {
+      group.Served.push_back(parameter.Key);
+    }
+    table.push_back(group);
+  }
+  for (const std::string& pattern : MesoVolumePatternNames())
+  {
+    MesoSceneKeyGroup group = { "volume_" + pattern, { "pattern", "size", "seed" }, {} };
+    for (const MesoParameter& parameter : MesoVolumePatternParameters(pattern))
     {
       group.Served.push_back(parameter.Key);
     }

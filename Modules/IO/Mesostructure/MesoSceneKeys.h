@@ -16,8 +16,8 @@
 struct MesoSceneKeyGroup
 {
   /// "scene", "camera", "light", "transform", "node", "material", "lookup_table",
-  /// "scalar_bar", "contours", "mesostructure", "shape_<name>" and "pattern_<name>"; the JSON Schema defines each under the
-  /// same name.
+  /// "scalar_bar", "contours", "mesostructure", "volume_file", "mesh_tile", "shape_<name>", "pattern_<name>" and
+  /// "volume_<name>"; the JSON Schema defines each under the same name.
   std::string Object;
   std::vector<std::string> Served; ///< read and used
   std::vector<std::string> Later;  ///< part of the format, refused as not available yet

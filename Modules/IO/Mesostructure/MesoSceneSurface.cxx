@@ -3,52 +3,19 @@
 #include "MesoColorMap.h"
 #include "MesoContourLines.h"
 #include "MesoPattern.h"
+#include "MesoSceneParameters.h"
+#include "MesoSceneVolume.h"
 #include "MesoShape.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "vdm", "gdm", "slices", "shell-sdf" };
-const std::vector<std::string> LaterQualities = { "full" };
+const std::vector<std::string> LaterTechniques = { "slices" };
 
-/// A word of a list, for ToChoice.
-std::string ReadName(const MesoSceneValue& value, const std::string& kind,
-  const std::vector<std::string>& names, const std::vector<std::string>& later)
-{
-  const std::string name = value.ToText();
-  if (std::find(names.begin(), names.end(), name) == names.end())
-  {
-    value.FailChoice(kind, name, names, later);
-  }
-  return name;
-}
-
-/// A mesh or map that is no file name must be an object that says which built-in one is meant.
-void CheckNamesKind(const MesoSceneValue& value, const std::string& key)
-{
-  if (!value.Has(key))
-  {
-    value.Fail("must be a file name, or an object with the key " + key);
-  }
-}
-
-std::vector<double> ReadParameter(const MesoSceneValue& value, const MesoParameter& parameter)
-{
-  const MesoSceneRange range = { parameter.Minimum, parameter.Maximum, true };
-  const auto read = [&](const MesoSceneValue& element)
-  { return parameter.Integer ? element.ToInteger(range) : element.ToNumber(range); };
-  if (parameter.Default.size() == 1)
-  {
-    return { read(value) };
-  }
-  std::vector<double> numbers;
-  for (const MesoSceneValue& element : value.ToList(parameter.Default.size()))
-  {
-    numbers.push_back(read(element));
-  }
-  return numbers;
-}
+constexpr double MostFactors = 12.;
 
 MesoSceneMap ReadMap(const MesoSceneValue& value)
 {
@@ -58,8 +25,8 @@ MesoSceneMap ReadMap(const MesoSceneValue& value)
     map.File = value.ToFileName();
     return map;
   }
-  CheckNamesKind(value, "pattern");
-  map.Pattern = ReadName(value.At("pattern"), "pattern", MesoPatternNames(), {});
+  MesoCheckNamesKind(value, "pattern");
+  map.Pattern = MesoReadName(value.At("pattern"), "pattern", MesoPatternNames(), {});
   value.CheckKeys("pattern_" + map.Pattern);
   value.With("size",
     [&](const MesoSceneValue& size)
@@ -69,18 +36,7 @@ MesoSceneMap ReadMap(const MesoSceneValue& value)
       map.Size = { static_cast<int>(list[0].ToInteger(texels)),
         static_cast<int>(list[1].ToInteger(texels)) };
     });
-  value.With("seed",
-    [&](const MesoSceneValue& seed)
-    {
-      const MesoSceneRange range = { 0., std::numeric_limits<std::uint32_t>::max(), true };
-      map.Seed = static_cast<std::uint32_t>(seed.ToInteger(range));
-    });
-  for (const MesoParameter& parameter : MesoPatternParameters(map.Pattern))
-  {
-    value.With(parameter.Key,
-      [&](const MesoSceneValue& number)
-      { map.Parameters[parameter.Key] = ReadParameter(number, parameter).front(); });
-  }
+  MesoReadPatternValues(value, MesoPatternParameters(map.Pattern), map.Seed, map.Parameters);
   // The values one by one are right; some do not go together.
   const std::string problem = MesoPatternProblem(map.Pattern, map.Parameters);
   if (!problem.empty())
@@ -90,27 +46,31 @@ MesoSceneMap ReadMap(const MesoSceneValue& value)
   return map;
 }
 
-/// "NAME" or "NAME[component]".
-MesoSceneColorBy ReadColorBy(const MesoSceneValue& value)
+/// "NAME" or "NAME[component]": the name, and the component where there is one.
+std::pair<std::string, std::optional<int>> ReadArrayName(const MesoSceneValue& value)
 {
   const std::string text = value.ToText();
-  MesoSceneColorBy colorBy;
-  colorBy.Array = text;
-  if (text.back() == ']')
+  if (text.back() != ']')
   {
-    constexpr std::size_t mostDigits = 4;
-    const std::size_t bracket = text.rfind('[');
-    const std::string digits =
-      bracket == std::string::npos ? "" : text.substr(bracket + 1, text.size() - bracket - 2);
-    if (bracket == 0 || digits.empty() || digits.size() > mostDigits ||
-      digits.find_first_not_of("0123456789") != std::string::npos)
-    {
-      value.Fail(
-        "must be the name of a point array, or NAME[i] with a component's number i from 0 on");
-    }
-    colorBy.Array = text.substr(0, bracket);
-    colorBy.Component = std::stoi(digits);
+    return { text, std::nullopt };
   }
+  constexpr std::size_t mostDigits = 4;
+  const std::size_t bracket = text.rfind('[');
+  const std::string digits =
+    bracket == std::string::npos ? "" : text.substr(bracket + 1, text.size() - bracket - 2);
+  if (bracket == 0 || digits.empty() || digits.size() > mostDigits ||
+    digits.find_first_not_of("0123456789") != std::string::npos)
+  {
+    value.Fail(
+      "must be the name of a point array, or NAME[i] with a component's number i from 0 on");
+  }
+  return { text.substr(0, bracket), std::stoi(digits) };
+}
+
+MesoSceneColorBy ReadColorBy(const MesoSceneValue& value)
+{
+  MesoSceneColorBy colorBy;
+  std::tie(colorBy.Array, colorBy.Component) = ReadArrayName(value);
   if (colorBy.IsHeight() && colorBy.Component)
   {
     value.Fail("height has no components");
@@ -118,26 +78,29 @@ MesoSceneColorBy ReadColorBy(const MesoSceneValue& value)
   return colorBy;
 }
 
+/// [from, to], the one less than the other.
+std::array<double, 2> ReadRange(const MesoSceneValue& value)
+{
+  const auto range = value.ToNumbers<2>();
+  if (!(range[0] < range[1]))
+  {
+    value.Fail("the first number must be less than the second");
+  }
+  return range;
+}
+
 void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
 {
   value.CheckKeys("lookup_table");
   value.With("name",
     [&](const MesoSceneValue& name)
-    { colorBy.LookupTable = ReadName(name, "lookup table", MesoColorMapNames(), {}); });
-  value.With("range",
-    [&](const MesoSceneValue& range)
-    {
-      colorBy.Range = range.ToNumbers<2>();
-      if (!((*colorBy.Range)[0] < (*colorBy.Range)[1]))
-      {
-        range.Fail("the first number must be less than the second");
-      }
-    });
+    { colorBy.LookupTable = MesoReadName(name, "lookup table", MesoColorMapNames(), {}); });
+  value.With("range", [&](const MesoSceneValue& range) { colorBy.Range = ReadRange(range); });
 }
 
 MesoSceneHeightUnit ReadValuesOf(const MesoSceneValue& value)
 {
-  return ReadName(value, "kind of values", { "height", "map" }, {}) == "map"
+  return MesoReadName(value, "kind of values", { "height", "map" }, {}) == "map"
     ? MesoSceneHeightUnit::Map
     : MesoSceneHeightUnit::Height;
 }
@@ -212,7 +175,8 @@ MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique techniqu
   MesoEffectChoice choice;
   if (value.IsString())
   {
-    const std::string word = ReadName(value, "choice of effects", { "auto", "all", "none" }, {});
+    const std::string word =
+      MesoReadName(value, "choice of effects", { "auto", "all", "none" }, {});
     choice.Auto = word == "auto";
     choice.Named = word == "all" ? provided : MesoEffects();
     return choice;
@@ -236,6 +200,87 @@ MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique techniqu
   }
   return choice;
 }
+
+/// What is said of a volume's shell; the volume itself has been read.
+void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
+{
+  MesoMesostructureOptions& options = node.Mesostructure;
+  const std::string technique = std::string("technique ") + MesoName(options.Technique);
+  if (!MesoUsesVolume(options.Technique))
+  {
+    value.Refuse({ "segments" }, technique + " has no prisms that rays run through");
+    return;
+  }
+  if (!node.Volume)
+  {
+    value.Fail(technique + " needs a volume or a tile_mesh");
+  }
+  if (!value.Has("scale"))
+  {
+    value.Fail(technique + " needs scale, the thickness of its shell in object units");
+  }
+  if (options.Scale == 0.)
+  {
+    value.At("scale").Fail("a shell needs some thickness");
+  }
+  if (!value.Has("reference"))
+  {
+    options.Reference = 0.;
+  }
+  if (options.Wrap != MesoWrap::Repeat)
+  {
+    value.At("wrap").Fail("a volume repeats");
+  }
+  value.With("segments",
+    [&](const MesoSceneValue& number) {
+      options.Segments = static_cast<int>(number.ToInteger({ 1., MesoMostSegments, true }));
+    });
+}
+
+void CheckHasScale(const MesoSceneValue& value, const std::string& technique)
+{
+  if (!value.Has("scale"))
+  {
+    value.Fail(technique + " needs scale, the height of its relief in object units");
+  }
+}
+
+/// What techniques that look tables up have to choose.
+void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
+{
+  MesoMesostructureOptions& options = node.Mesostructure;
+  const bool tabled = options.Technique == MesoTechnique::VDM;
+  const std::string technique = std::string("technique ") + MesoName(options.Technique);
+  if (options.Technique == MesoTechnique::VDM && options.Wrap != MesoWrap::Repeat)
+  {
+    value.At("wrap").Fail(technique + " has a table of a tile that repeats");
+  }
+  value.With("rank",
+    [&](const MesoSceneValue& ranks)
+    {
+      if (!tabled)
+      {
+        ranks.Fail(technique + " has no table with factors");
+      }
+      if (options.Quality == MesoQuality::Full)
+      {
+        ranks.Fail("quality full is the table itself, without factors");
+      }
+      const MesoSceneRange range = { 1., MostFactors, true };
+      const auto list = ranks.ToList(2);
+      options.Rank = { static_cast<int>(list[0].ToInteger(range)),
+        static_cast<int>(list[1].ToInteger(range)) };
+    });
+  value.With("baked",
+    [&](const MesoSceneValue& file)
+    {
+      if (!tabled && options.Technique != MesoTechnique::GeometryImage)
+      {
+        file.Fail(technique + " has no use for a baked table");
+      }
+      node.Baked = file.ToFileName();
+    });
+}
 }
 
 MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
@@ -246,14 +291,14 @@ MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
     mesh.File = value.ToFileName();
     return mesh;
   }
-  CheckNamesKind(value, "shape");
-  mesh.Shape = ReadName(value.At("shape"), "shape", MesoShapeNames(), {});
+  MesoCheckNamesKind(value, "shape");
+  mesh.Shape = MesoReadName(value.At("shape"), "shape", MesoShapeNames(), {});
   value.CheckKeys("shape_" + mesh.Shape);
   for (const MesoParameter& parameter : MesoShapeParameters(mesh.Shape))
   {
     value.With(parameter.Key,
       [&](const MesoSceneValue& numbers)
-      { mesh.Parameters[parameter.Key] = ReadParameter(numbers, parameter); });
+      { mesh.Parameters[parameter.Key] = MesoReadParameter(numbers, parameter); });
   }
   const std::string problem = MesoShapeProblem(mesh.Shape, mesh.Parameters);
   if (!problem.empty())
@@ -261,6 +306,15 @@ MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
     value.Fail(problem);
   }
   return mesh;
+}
+
+MesoScenePart MesoReadScenePart(const MesoSceneValue& value)
+{
+  value.CheckKeys("part");
+  MesoScenePart part;
+  std::tie(part.By, part.Component) = ReadArrayName(value.At("by"));
+  part.Range = ReadRange(value.At("range"));
+  return part;
 }
 
 MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value)
@@ -287,7 +341,7 @@ MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value)
   }
   value.With("normal_map_y",
     [&](const MesoSceneValue& way) {
-      material.NormalMapDown = ReadName(way, "way of green", { "up", "down" }, {}) == "down";
+      material.NormalMapDown = MesoReadName(way, "way of green", { "up", "down" }, {}) == "down";
     });
   if (value.Has("color_by"))
   {
@@ -334,8 +388,8 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("quality",
     [&](const MesoSceneValue& quality)
     {
-      options.Quality = quality.ToChoice<MesoQuality>(
-        "quality", &MesoQualityFromName, MesoQualityNames(), LaterQualities);
+      options.Quality =
+        quality.ToChoice<MesoQuality>("quality", &MesoQualityFromName, MesoQualityNames());
     });
   value.With("search",
     [&](const MesoSceneValue& search)
@@ -400,6 +454,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       }
       options.Penumbra = angle.ToNumber({ 0., 90., true });
     });
+  ReadTable(value, node);
   value.With("facet_pixels",
     [&](const MesoSceneValue& pixels)
     {
@@ -410,15 +465,6 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       }
       options.FacetPixels = pixels.ToNumber(MesoSceneRanges::NotNegative);
     });
-  value.With("baked",
-    [&](const MesoSceneValue& file)
-    {
-      if (options.Technique != MesoTechnique::GeometryImage)
-      {
-        file.Fail("technique " + name + " has no use for a baked table");
-      }
-      node.Baked = file.ToFileName();
-    });
   if (options.Technique == MesoTechnique::GeometryImage)
   {
     value.Refuse({ "height_map", "depth_map", "relief_map" },
@@ -428,6 +474,8 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });
 
+  node.Volume = MesoReadSceneVolume(value);
+  ReadShell(value, node);
   if (value.Has("height_map"))
   {
     value.Refuse(
@@ -456,6 +504,11 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       "there is no height_map or depth_map or relief_map that it is of");
     const bool mapped = options.Technique == MesoTechnique::Normal ||
       options.Technique == MesoTechnique::NormalObject;
+    if (!node.Baked.empty())
+    {
+      CheckHasScale(value, technique);
+      return;
+    }
     if (MesoUsesHeightMap(options.Technique) && !(mapped && !node.Material.NormalMap.empty()))
     {
       value.Fail("technique " + name + " needs a height_map or a depth_map" +
@@ -463,19 +516,11 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     }
     return;
   }
-  if (MesoUsesHeightMap(options.Technique) && !value.Has("scale"))
+  if (MesoUsesHeightMap(options.Technique))
   {
-    value.Fail("technique " + name + " needs scale, the height of its relief in object units");
+    CheckHasScale(value, technique);
   }
-  value.With("range",
-    [&](const MesoSceneValue& range)
-    {
-      node.Map->Range = range.ToNumbers<2>();
-      if (!((*node.Map->Range)[0] < (*node.Map->Range)[1]))
-      {
-        range.Fail("the first number must be less than the second");
-      }
-    });
+  value.With("range", [&](const MesoSceneValue& range) { node.Map->Range = ReadRange(range); });
   value.With("sample_spacing",
     [&](const MesoSceneValue& spacing)
     { node.Map->SampleSpacing = spacing.ToNumbers<2>(MesoSceneRanges::Positive); });

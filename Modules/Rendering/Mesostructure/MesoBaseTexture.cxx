@@ -40,14 +40,14 @@ bool Fill(
 }
 }
 
-MesoBaseTexture::MesoBaseTexture() = default;
-
-MesoBaseTexture::~MesoBaseTexture() = default;
-
-void MesoBaseTexture::SetImage(vtkImageData* image)
+MesoBaseTexture::MesoBaseTexture()
+  : MesoMapTexture(2)
 {
-  this->Image = image;
-  this->UploadedTime = 0;
+}
+
+void MesoBaseTexture::SetBaseImage(vtkImageData* image)
+{
+  this->SetImage(image);
   this->Centre = { 0., 0., 0. };
   vtkDataArray* centre = image ? FieldOf(image, "MesoBaseCentre", 3) : nullptr;
   if (centre)
@@ -56,71 +56,46 @@ void MesoBaseTexture::SetImage(vtkImageData* image)
   }
 }
 
-vtkImageData* MesoBaseTexture::GetImage() const
+std::string MesoBaseTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
 {
-  return this->Image;
-}
-
-std::string MesoBaseTexture::Upload(vtkOpenGLRenderWindow* window)
-{
-  vtkDataArray* positions = FourFloats(this->Image, "MesoBasePosition");
-  vtkDataArray* normals = FourFloats(this->Image, "MesoBaseNormal");
-  if (!positions || !normals || !FieldOf(this->Image, "MesoBaseCentre", 3) ||
-    !FieldOf(this->Image, "MesoBaseScale", 2) || !FieldOf(this->Image, "MesoBaseOffset", 2) ||
-    !FieldOf(this->Image, "MesoBaseWraps", 2))
+  vtkDataArray* positions = FourFloats(this->GetImage(), "MesoBasePosition");
+  vtkDataArray* normals = FourFloats(this->GetImage(), "MesoBaseNormal");
+  if (!positions || !normals || !FieldOf(this->GetImage(), "MesoBaseCentre", 3) ||
+    !FieldOf(this->GetImage(), "MesoBaseScale", 2) ||
+    !FieldOf(this->GetImage(), "MesoBaseOffset", 2) ||
+    !FieldOf(this->GetImage(), "MesoBaseWraps", 2))
   {
     return "the image of the base lacks arrays that vtkMesoBaseImage makes";
   }
   int size[3];
-  this->Image->GetDimensions(size);
+  this->GetImage()->GetDimensions(size);
   const int limit = vtkTextureObject::GetMaximumTextureSize(window);
   if (size[0] > limit || size[1] > limit)
   {
     return "the image of the base, " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
       ", is larger than the " + std::to_string(limit) + " that this device takes";
   }
-  if (!Fill(this->Positions, window, size, positions) ||
-    !Fill(this->Normals, window, size, normals))
+  if (!Fill(this->Texture(0), window, size, positions) ||
+    !Fill(this->Texture(1), window, size, normals))
   {
     return "the image of the base could not be made a texture";
   }
-  FieldOf(this->Image, "MesoBaseCentre", 3)->GetTuple(0, this->Centre.data());
-  this->UploadedTime = this->Image->GetMTime();
-  return {};
-}
-
-std::string MesoBaseTexture::Activate(vtkOpenGLRenderWindow* window)
-{
-  if (!this->Image)
-  {
-    return "there is no image of the base, which vtkMesoBaseImage makes";
-  }
-  if (this->Positions->GetHandle() == 0 || this->Positions->GetContext() != window ||
-    this->UploadedTime != this->Image->GetMTime())
-  {
-    const std::string failure = this->Upload(window);
-    if (!failure.empty())
-    {
-      return failure;
-    }
-  }
-  this->Positions->Activate();
-  this->Normals->Activate();
+  FieldOf(this->GetImage(), "MesoBaseCentre", 3)->GetTuple(0, this->Centre.data());
+  this->Bytes = std::size_t(2) * 4 * sizeof(float) * size[0] * size[1];
   return {};
 }
 
 void MesoBaseTexture::SetUniforms(vtkShaderProgram* program)
 {
-  if (!program->IsUniformUsed("mesoBasePosition"))
+  if (!this->SetSampler(program, "mesoBasePosition", 0))
   {
     return;
   }
-  program->SetUniformi("mesoBasePosition", this->Positions->GetTextureUnit());
-  program->SetUniformi("mesoBaseNormal", this->Normals->GetTextureUnit());
+  this->SetSampler(program, "mesoBaseNormal", 1);
   const auto two = [this](const char* name, auto* values)
   {
     double tuple[2];
-    FieldOf(this->Image, name, 2)->GetTuple(0, tuple);
+    FieldOf(this->GetImage(), name, 2)->GetTuple(0, tuple);
     values[0] = static_cast<std::remove_pointer_t<decltype(values)>>(tuple[0]);
     values[1] = static_cast<std::remove_pointer_t<decltype(values)>>(tuple[1]);
   };
@@ -133,31 +108,4 @@ void MesoBaseTexture::SetUniforms(vtkShaderProgram* program)
   program->SetUniform2f("mesoBaseScale", scale);
   program->SetUniform2f("mesoBaseOffset", offset);
   program->SetUniform2i("mesoBaseWraps", wraps);
-}
-
-void MesoBaseTexture::Deactivate()
-{
-  for (vtkTextureObject* texture : { this->Positions.Get(), this->Normals.Get() })
-  {
-    if (texture->GetHandle() != 0)
-    {
-      texture->Deactivate();
-    }
-  }
-}
-
-void MesoBaseTexture::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Positions->ReleaseGraphicsResources(window);
-  this->Normals->ReleaseGraphicsResources(window);
-}
-
-std::size_t MesoBaseTexture::GetGPUBytes() const
-{
-  if (this->Positions->GetHandle() == 0)
-  {
-    return 0;
-  }
-  return std::size_t(2) * this->Positions->GetWidth() * this->Positions->GetHeight() * 4 *
-    sizeof(float);
 }

@@ -25,6 +25,9 @@ struct MesoNormals
   MesoNormalMapMeaning Meaning;
 };
 
+/// The depth of the relief in widths of a tile, over the whole mesh: what tables are baked for.
+double MesoDepthInTiles(vtkPolyData* mesh, const MesoMesostructureOptions& options);
+
 /// The material's normal map; throws MesoInputError "place: reason" where it is none.
 MesoNormals MesoReadNormalMap(
   const MesoSceneMaterial& material, const std::string& place, std::vector<std::string>& warnings);

@@ -12,7 +12,10 @@
 
 #include <vector>
 
-MesoConeTexture::MesoConeTexture() = default;
+MesoConeTexture::MesoConeTexture()
+  : MesoMapTexture(1)
+{
+}
 
 MesoConeTexture::~MesoConeTexture() = default;
 
@@ -29,12 +32,16 @@ std::string MesoConeTexture::Prepare(vtkImageData* heights, MesoWrap wrap)
   {
     return problem.what();
   }
+  if (this->GetImage() != this->Cones->GetOutput())
+  {
+    this->SetImage(this->Cones->GetOutput());
+  }
   return {};
 }
 
-std::string MesoConeTexture::Upload(vtkOpenGLRenderWindow* window)
+std::string MesoConeTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
 {
-  vtkImageData* cones = this->Cones->GetOutput();
+  vtkImageData* cones = this->GetImage();
   int size[3];
   cones->GetDimensions(size);
   const int limit = vtkTextureObject::GetMaximumTextureSize(window);
@@ -65,7 +72,7 @@ std::string MesoConeTexture::Upload(vtkOpenGLRenderWindow* window)
       }
     }
   }
-  vtkTextureObject* texture = this->Texture;
+  vtkTextureObject* texture = this->Texture();
   texture->ReleaseGraphicsResources(window);
   texture->SetContext(window);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
@@ -75,57 +82,18 @@ std::string MesoConeTexture::Upload(vtkOpenGLRenderWindow* window)
   {
     return "the cones of the height map could not be made a texture";
   }
-  this->UploadedTime = cones->GetMTime();
+  this->Bytes = quarters.size();
   return {};
 }
 
 std::string MesoConeTexture::Activate(
   vtkOpenGLRenderWindow* window, vtkImageData* heights, MesoWrap wrap)
 {
-  std::string failure = this->Prepare(heights, wrap);
-  if (!failure.empty())
-  {
-    return failure;
-  }
-  if (this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
-    this->UploadedTime != this->Cones->GetOutput()->GetMTime())
-  {
-    failure = this->Upload(window);
-    if (!failure.empty())
-    {
-      return failure;
-    }
-  }
-  this->Texture->Activate();
-  return {};
+  const std::string failure = this->Prepare(heights, wrap);
+  return failure.empty() ? MesoMapTexture::Activate(window, wrap) : failure;
 }
 
 void MesoConeTexture::SetUniforms(vtkShaderProgram* program)
 {
-  if (program->IsUniformUsed("mesoCones"))
-  {
-    program->SetUniformi("mesoCones", this->Texture->GetTextureUnit());
-  }
-}
-
-void MesoConeTexture::Deactivate()
-{
-  if (this->Texture->GetHandle() != 0)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-void MesoConeTexture::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-}
-
-std::size_t MesoConeTexture::GetGPUBytes() const
-{
-  if (this->Texture->GetHandle() == 0)
-  {
-    return 0;
-  }
-  return std::size_t(this->Texture->GetWidth()) * this->Texture->GetHeight() * 2;
+  this->SetSampler(program, "mesoCones");
 }

@@ -1,19 +1,10 @@
 #ifndef MesoConeTexture_h
 #define MesoConeTexture_h
 
-#include "MesoOptions.h"     // for MesoWrap
-#include "vtkNew.h"          // for the filter
-#include "vtkSmartPointer.h" // for the map
+#include "MesoMapTexture.h"
+#include "vtkNew.h" // for the filter
 
-#include <cstddef>
-#include <string>
-
-class vtkImageData;
 class vtkMesoConeMap;
-class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkTextureObject;
-class vtkWindow;
 
 /**
  * @class MesoConeTexture
@@ -23,13 +14,11 @@ class vtkWindow;
  * twice the map's width and height, so that one fetch gives a ray's cone. See
  * Shaders/Common/ConeAccess.glsl.
  */
-class MesoConeTexture
+class MesoConeTexture : public MesoMapTexture
 {
 public:
   MesoConeTexture();
-  ~MesoConeTexture();
-  MesoConeTexture(const MesoConeTexture&) = delete;
-  void operator=(const MesoConeTexture&) = delete;
+  ~MesoConeTexture() override;
 
   /// Compute the cones of a height map, unless they are those of it as it is now. Returns why that
   /// failed, or an empty text.
@@ -37,17 +26,13 @@ public:
 
   /// Prepare, upload what has changed and bind the texture. Returns why that failed, or an empty text.
   std::string Activate(vtkOpenGLRenderWindow* window, vtkImageData* heights, MesoWrap wrap);
-  void SetUniforms(vtkShaderProgram* program);
-  void Deactivate();
-  void ReleaseGraphicsResources(vtkWindow* window);
-  std::size_t GetGPUBytes() const;
+  void SetUniforms(vtkShaderProgram* program) override;
+
+protected:
+  std::string Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap) override;
 
 private:
-  std::string Upload(vtkOpenGLRenderWindow* window);
-
   vtkNew<vtkMesoConeMap> Cones;
-  vtkNew<vtkTextureObject> Texture;
-  unsigned long long UploadedTime = 0; ///< MTime of the cones that the texture holds
 };
 
 #endif

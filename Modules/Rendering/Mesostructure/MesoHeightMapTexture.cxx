@@ -4,22 +4,15 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
-MesoHeightMapTexture::MesoHeightMapTexture() = default;
-
-MesoHeightMapTexture::~MesoHeightMapTexture() = default;
+MesoHeightMapTexture::MesoHeightMapTexture()
+  : MesoMapTexture(1)
+{
+}
 
 void MesoHeightMapTexture::SetHeightMap(vtkImageData* heights)
 {
-  this->HeightMap = heights;
-  this->UploadedTime = 0;
-}
-
-vtkImageData* MesoHeightMapTexture::GetHeightMap() const
-{
-  return this->HeightMap;
+  this->SetImage(heights);
 }
 
 void MesoHeightMapTexture::SetMipmaps(bool mipmaps)
@@ -27,75 +20,24 @@ void MesoHeightMapTexture::SetMipmaps(bool mipmaps)
   if (mipmaps != this->Mipmaps)
   {
     this->Mipmaps = mipmaps;
-    this->UploadedTime = 0;
+    this->SetStale();
   }
 }
 
 std::string MesoHeightMapTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap)
 {
-  vtkDataArray* heights = this->HeightMap->GetPointData()->GetScalars();
+  vtkDataArray* heights = this->GetImage()->GetPointData()->GetScalars();
   if (!heights || heights->GetDataType() != VTK_FLOAT || heights->GetNumberOfComponents() != 1)
   {
     return "the height map must have one component of float";
   }
-  const std::string failure =
-    MesoUploadMap(this->Texture, window, this->HeightMap, wrap, this->Mipmaps, "height map");
-  if (!failure.empty())
-  {
-    return failure;
-  }
-  this->UploadedTime = this->HeightMap->GetMTime();
-  this->UploadedWrap = wrap;
-  return {};
-}
-
-std::string MesoHeightMapTexture::Activate(vtkOpenGLRenderWindow* window, MesoWrap wrap)
-{
-  if (!this->HeightMap)
-  {
-    return {};
-  }
-  if (this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
-    this->UploadedTime != this->HeightMap->GetMTime() || this->UploadedWrap != wrap)
-  {
-    const std::string failure = this->Upload(window, wrap);
-    if (!failure.empty())
-    {
-      return failure;
-    }
-  }
-  this->Texture->Activate();
-  return {};
+  const std::size_t bytes = std::size_t(heights->GetNumberOfValues()) * sizeof(float);
+  this->Bytes = this->Mipmaps ? bytes * 4 / 3 : bytes;
+  return MesoUploadMap(
+    this->Texture(), window, this->GetImage(), wrap, this->Mipmaps, "height map");
 }
 
 void MesoHeightMapTexture::SetUniforms(vtkShaderProgram* program)
 {
-  if (program->IsUniformUsed("mesoHeightMap"))
-  {
-    program->SetUniformi("mesoHeightMap", this->Texture->GetTextureUnit());
-  }
-}
-
-void MesoHeightMapTexture::Deactivate()
-{
-  if (this->Texture->GetHandle() != 0)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-void MesoHeightMapTexture::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-}
-
-std::size_t MesoHeightMapTexture::GetGPUBytes() const
-{
-  if (this->Texture->GetHandle() == 0)
-  {
-    return 0;
-  }
-  const std::size_t bytes =
-    std::size_t(this->Texture->GetWidth()) * this->Texture->GetHeight() * sizeof(float);
-  return this->Mipmaps ? bytes * 4 / 3 : bytes;
+  this->SetSampler(program, "mesoHeightMap");
 }

@@ -11,31 +11,26 @@
 #include <algorithm>
 #include <vector>
 
-MesoHorizonTexture::MesoHorizonTexture() = default;
-
-MesoHorizonTexture::~MesoHorizonTexture() = default;
+MesoHorizonTexture::MesoHorizonTexture()
+  : MesoMapTexture(1)
+{
+}
 
 void MesoHorizonTexture::SetHorizonMap(vtkImageData* map, double scale)
 {
-  this->HorizonMap = map;
+  this->SetImage(map);
   this->Scale = scale;
-  this->UploadedTime = 0;
-}
-
-vtkImageData* MesoHorizonTexture::GetHorizonMap() const
-{
-  return this->HorizonMap;
 }
 
 std::string MesoHorizonTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap)
 {
-  auto* angles = vtkFloatArray::SafeDownCast(this->HorizonMap->GetPointData()->GetScalars());
+  auto* angles = vtkFloatArray::SafeDownCast(this->GetImage()->GetPointData()->GetScalars());
   if (!angles)
   {
     return "the horizon map must have a component of float for each azimuth";
   }
   int size[3];
-  this->HorizonMap->GetDimensions(size);
+  this->GetImage()->GetDimensions(size);
   const int azimuths = angles->GetNumberOfComponents();
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
   if (std::max({ size[0], size[1], azimuths }) > limit)
@@ -53,7 +48,7 @@ std::string MesoHorizonTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap w
       slices[k * texels + i] = angles->GetValue(static_cast<vtkIdType>(i) * azimuths + k);
     }
   }
-  vtkTextureObject* texture = this->Texture;
+  vtkTextureObject* texture = this->Texture();
   texture->ReleaseGraphicsResources(window);
   texture->SetContext(window);
   texture->SetWrapS(MesoTextureWrap(wrap));
@@ -67,58 +62,14 @@ std::string MesoHorizonTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap w
   {
     return "the horizon map could not be made a texture";
   }
-  this->UploadedTime = this->HorizonMap->GetMTime();
-  this->UploadedWrap = wrap;
-  return {};
-}
-
-std::string MesoHorizonTexture::Activate(vtkOpenGLRenderWindow* window, MesoWrap wrap)
-{
-  if (!this->HorizonMap)
-  {
-    return {};
-  }
-  if (this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
-    this->UploadedTime != this->HorizonMap->GetMTime() || this->UploadedWrap != wrap)
-  {
-    const std::string failure = this->Upload(window, wrap);
-    if (!failure.empty())
-    {
-      return failure;
-    }
-  }
-  this->Texture->Activate();
+  this->Bytes = slices.size() * sizeof(float);
   return {};
 }
 
 void MesoHorizonTexture::SetUniforms(vtkShaderProgram* program)
 {
-  if (program->IsUniformUsed("mesoHorizonMap"))
+  if (this->SetSampler(program, "mesoHorizonMap"))
   {
-    program->SetUniformi("mesoHorizonMap", this->Texture->GetTextureUnit());
     program->SetUniformf("mesoHorizonScale", static_cast<float>(this->Scale));
   }
-}
-
-void MesoHorizonTexture::Deactivate()
-{
-  if (this->Texture->GetHandle() != 0)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-void MesoHorizonTexture::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-}
-
-std::size_t MesoHorizonTexture::GetGPUBytes() const
-{
-  if (this->Texture->GetHandle() == 0)
-  {
-    return 0;
-  }
-  return std::size_t(this->Texture->GetWidth()) * this->Texture->GetHeight() *
-    this->Texture->GetDepth() * sizeof(float);
 }

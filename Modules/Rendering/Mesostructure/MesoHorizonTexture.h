@@ -1,18 +1,7 @@
 #ifndef MesoHorizonTexture_h
 #define MesoHorizonTexture_h
 
-#include "MesoOptions.h"     // for MesoWrap
-#include "vtkNew.h"          // for the texture
-#include "vtkSmartPointer.h" // for the map
-
-#include <cstddef>
-#include <string>
-
-class vtkImageData;
-class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkTextureObject;
-class vtkWindow;
+#include "MesoMapTexture.h"
 
 /**
  * @class MesoHorizonTexture
@@ -20,34 +9,22 @@ class vtkWindow;
  *
  * See Shaders/Techniques/Horizon.glsl.
  */
-class MesoHorizonTexture
+class MesoHorizonTexture : public MesoMapTexture
 {
 public:
   MesoHorizonTexture();
-  ~MesoHorizonTexture();
-  MesoHorizonTexture(const MesoHorizonTexture&) = delete;
-  void operator=(const MesoHorizonTexture&) = delete;
 
   /// A float component an azimuth, radians; `scale` is that of the filter. Null: no map.
   void SetHorizonMap(vtkImageData* map, double scale);
-  vtkImageData* GetHorizonMap() const;
+  vtkImageData* GetHorizonMap() const { return this->GetImage(); }
 
-  /// Upload what has changed and bind the texture. Returns why that failed, or an empty text; without
-  /// a map there is nothing to do.
-  std::string Activate(vtkOpenGLRenderWindow* window, MesoWrap wrap);
-  void SetUniforms(vtkShaderProgram* program);
-  void Deactivate();
-  void ReleaseGraphicsResources(vtkWindow* window);
-  std::size_t GetGPUBytes() const;
+  void SetUniforms(vtkShaderProgram* program) override;
+
+protected:
+  std::string Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap) override;
 
 private:
-  std::string Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap);
-
-  vtkSmartPointer<vtkImageData> HorizonMap;
   double Scale = 1.0;
-  vtkNew<vtkTextureObject> Texture;
-  unsigned long long UploadedTime = 0; ///< MTime of the map that the texture holds
-  MesoWrap UploadedWrap = MesoWrap::Repeat;
 };
 
 #endif

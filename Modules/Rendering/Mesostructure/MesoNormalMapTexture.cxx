@@ -21,20 +21,15 @@ void AddOnce(std::vector<std::string>& names, const std::string& name)
 }
 }
 
-MesoNormalMapTexture::MesoNormalMapTexture() = default;
-
-MesoNormalMapTexture::~MesoNormalMapTexture() = default;
+MesoNormalMapTexture::MesoNormalMapTexture()
+  : MesoMapTexture(1)
+{
+}
 
 void MesoNormalMapTexture::SetNormalMap(vtkImageData* map, const MesoNormalMapMeaning& meaning)
 {
-  this->NormalMap = map;
+  this->SetImage(map);
   this->Meaning = meaning;
-  this->UploadedTime = 0;
-}
-
-vtkImageData* MesoNormalMapTexture::GetNormalMap() const
-{
-  return this->NormalMap;
 }
 
 void MesoNormalMapTexture::AddTo(MesoShaderShape& shape) const
@@ -61,53 +56,25 @@ void MesoNormalMapTexture::AddTo(MesoShaderShape& shape) const
 
 std::string MesoNormalMapTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap)
 {
-  vtkDataArray* normals = this->NormalMap->GetPointData()->GetScalars();
+  vtkDataArray* normals = this->GetImage()->GetPointData()->GetScalars();
   const int type = normals ? normals->GetDataType() : VTK_VOID;
   if ((type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT && type != VTK_FLOAT) ||
     normals->GetNumberOfComponents() != 3)
   {
     return "the normal map must have three components of unsigned char, unsigned short or float";
   }
-  const std::string failure =
-    MesoUploadMap(this->Texture, window, this->NormalMap, wrap, true, "normal map");
-  if (!failure.empty())
-  {
-    return failure;
-  }
-  this->UploadedTime = this->NormalMap->GetMTime();
-  this->UploadedWrap = wrap;
   this->Bytes = std::size_t(normals->GetNumberOfValues()) * normals->GetDataTypeSize() * 4 / 3;
-  return {};
-}
-
-std::string MesoNormalMapTexture::Activate(vtkOpenGLRenderWindow* window, MesoWrap wrap)
-{
-  if (!this->NormalMap)
-  {
-    return {};
-  }
-  if (this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
-    this->UploadedTime != this->NormalMap->GetMTime() || this->UploadedWrap != wrap)
-  {
-    const std::string failure = this->Upload(window, wrap);
-    if (!failure.empty())
-    {
-      return failure;
-    }
-  }
-  this->Texture->Activate();
-  return {};
+  return MesoUploadMap(this->Texture(), window, this->GetImage(), wrap, true, "normal map");
 }
 
 void MesoNormalMapTexture::SetUniforms(vtkShaderProgram* program)
 {
-  if (!program->IsUniformUsed("mesoNormalMap"))
+  if (!this->SetSampler(program, "mesoNormalMap"))
   {
     return;
   }
-  program->SetUniformi("mesoNormalMap", this->Texture->GetTextureUnit());
   // Stored [0,1] stands for [-1,1]; floats are the direction itself.
-  const bool direct = this->NormalMap->GetScalarType() == VTK_FLOAT;
+  const bool direct = this->GetImage()->GetScalarType() == VTK_FLOAT;
   const float factor = direct ? 1.f : 2.f;
   const float shift = direct ? 0.f : -1.f;
   const float up = this->Meaning.Down ? -1.f : 1.f;
@@ -119,22 +86,4 @@ void MesoNormalMapTexture::SetUniforms(vtkShaderProgram* program)
   {
     program->SetUniformf("mesoNormalScale", static_cast<float>(this->Meaning.Depth));
   }
-}
-
-void MesoNormalMapTexture::Deactivate()
-{
-  if (this->Texture->GetHandle() != 0)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-void MesoNormalMapTexture::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-}
-
-std::size_t MesoNormalMapTexture::GetGPUBytes() const
-{
-  return this->Texture->GetHandle() == 0 ? 0 : this->Bytes;
 }

@@ -50,7 +50,7 @@ vtkImageData* MesoReliefShader::GetHeightMap() const
 
 void MesoReliefShader::SetBaseImage(vtkImageData* image)
 {
-  this->Base.SetImage(image);
+  this->Base.SetBaseImage(image);
 }
 
 vtkImageData* MesoReliefShader::GetBaseImage() const
@@ -147,7 +147,9 @@ std::string MesoReliefShader::Activate(vtkOpenGLRenderWindow* window)
   }
   if (MesoNeedsBaseImage(this->Options))
   {
-    return this->Base.Activate(window);
+    return this->Base.GetImage()
+      ? this->Base.Activate(window, this->Options.Wrap)
+      : std::string("there is no image of the base, which vtkMesoBaseImage makes");
   }
   return this->UsesCones() ? this->Cones.Activate(window, this->GetHeightMap(), this->Options.Wrap)
                            : std::string();

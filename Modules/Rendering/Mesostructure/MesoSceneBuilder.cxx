@@ -7,8 +7,12 @@
 #include "MesoMapInput.h"
 #include "MesoPolarity.h"
 #include "MesoScalarBar.h"
+#include "MesoSceneArrays.h"
 #include "MesoSceneLights.h"
+#include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
+#include "MesoVDMInput.h"
+#include "MesoVolumeInput.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -27,8 +31,10 @@
 #include "vtkMesoReliefMapper.h"
 #include "vtkMesoShadowMapPass.h"
 #include "vtkMesoShapeSource.h"
+#include "vtkMesoShellMapper.h"
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkMesoTessellatedMapper.h"
+#include "vtkMesoVDMMapper.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -421,7 +427,7 @@ vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeGeometryImage(
 }
 
 void MesoSceneBuilder::MakeMapper(
-  Object& object, const MesoNormals& normals, const std::string& baked, const std::string& inScene)
+  const MesoSceneNode& node, Object& object, const MesoNormals& normals, const std::string& inScene)
 {
   if (object.Options.Technique == MesoTechnique::Relief ||
     MesoBendsRelief(object.Options.Technique))
@@ -459,6 +465,34 @@ void MesoSceneBuilder::MakeMapper(
       bump, object.HeightMap, object.Mesh, normals, inScene + ".mesostructure", this->Warnings);
     object.Mapper = bump;
   }
+  else if (MesoUsesVolume(object.Options.Technique) && !MesoEffectsOn(object.Options).Empty())
+  {
+    object.Mesh = MesoMakeShell(object.Base, object.Options, inScene, this->Warnings);
+    vtkNew<vtkMesoShellMapper> shell;
+    shell->SetVolume(object.Volume);
+    if (object.Options.Technique == MesoTechnique::GDM)
+    {
+      shell->SetTable(MesoMakeShellTable(
+        object.Volume, object.Options, inScene + ".mesostructure", this->Warnings));
+    }
+    object.Mapper = shell;
+  }
+  else if (object.Options.Technique == MesoTechnique::VDM)
+  {
+    if (object.Options.Reference != 1. && !MesoEffectsOn(object.Options).Empty())
+    {
+      object.Mesh = this->Moved(object, inScene + ".mesh");
+    }
+    if (MesoEffectsOn(object.Options).Has(MesoEffect::Curvature))
+    {
+      object.Mesh = this->WithQuadrics(object.Mesh, object.Options.Quadric, inScene + ".mesh");
+    }
+    vtkNew<vtkMesoVDMMapper> vdm;
+    vdm->SetOptions(object.Options);
+    vdm->SetHeightMap(object.HeightMap);
+    MesoSetVDMTable(vdm, node.Baked, object.Mesh, inScene + ".mesostructure", this->Warnings);
+    object.Mapper = vdm;
+  }
   else if (object.Options.Technique == MesoTechnique::Displacement)
   {
     CheckGeometryEffects(object.Options, inScene + ".mesostructure");
@@ -476,7 +510,7 @@ void MesoSceneBuilder::MakeMapper(
   else if (object.Options.Technique == MesoTechnique::GeometryImage)
   {
     vtkNew<vtkMesoGeometryImageMapper> mapper;
-    mapper->SetGeometryImage(this->MakeGeometryImage(object, baked, inScene));
+    mapper->SetGeometryImage(this->MakeGeometryImage(object, node.Baked, inScene));
     object.Mapper = mapper;
   }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
@@ -507,15 +541,30 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       heights = this->MakeHeights(*node.Map, inScene + ".mesostructure");
       object.HeightMap = heights.Image;
     }
+    if (node.Volume && MesoUsesVolume(node.Mesostructure.Technique))
+    {
+      MesoCheckShellMaterial(node.Material, inScene);
+      object.Volume =
+        MesoReadVolume(*node.Volume, inScene + ".mesostructure.volume", this->Warnings);
+    }
+    if (MesoUsesHeightMap(node.Mesostructure.Technique) && !node.Map && !node.Baked.empty())
+    {
+      object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
+    }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
-        (node.Material.ColorBy && MesoColorNeedsFrames(*node.Material.ColorBy)));
+        (node.Material.ColorBy && MesoArrayNeedsFrames(node.Material.ColorBy->Array)) ||
+        (node.Part && MesoArrayNeedsFrames(node.Part->By)));
     MesoCheckSampleSpacing(
       node, object.HeightMap, object.Base, inScene + ".mesostructure", this->Warnings);
     if (node.Material.ColorBy && !node.Material.ColorBy->IsHeight())
     {
-      object.Base = MesoWithColorArray(
-        object.Base, *node.Material.ColorBy, inScene + ".material.color_by", this->Warnings);
+      object.Base = MesoWithArray(object.Base, node.Material.ColorBy->Array,
+        node.Material.ColorBy->Component, inScene + ".material.color_by", this->Warnings);
+    }
+    if (node.Part)
+    {
+      object.Base = MesoPartOfMesh(object.Base, *node.Part, inScene + ".part", this->Warnings);
     }
     vtkNew<vtkMatrix4x4> userMatrix;
     userMatrix->DeepCopy(matrix.data());
@@ -530,7 +579,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
-    this->MakeMapper(object, normals, node.Baked, inScene);
+    this->MakeMapper(node, object, normals, inScene);
     object.Mapper->SetOptions(node.Mesostructure);
     object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
         ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")

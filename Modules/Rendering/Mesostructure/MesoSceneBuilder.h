@@ -40,8 +40,9 @@ public:
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
     vtkSmartPointer<vtkPolyData> Base;       ///< with its frames
-    vtkSmartPointer<vtkPolyData> Mesh;       ///< the base where height 1 lies: p + (1 - r) D n
+    vtkSmartPointer<vtkPolyData> Mesh; ///< the base where height 1 lies: p + (1 - r) D n; or its shell
     vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
+    vtkSmartPointer<vtkImageData> Volume;    ///< canonical, of techniques that draw one; or null
     vtkSmartPointer<vtkImageData> NormalMap; ///< given to be shown in place of any other; or null
     MesoNormalMapMeaning NormalMeaning;
     MesoMesostructureOptions Options;
@@ -60,7 +61,7 @@ private:
   /// The material's normal map, where it is shown; none where it is not.
   MesoNormals ReadNormals(const MesoSceneNode& node, Object& object, const std::string& inScene);
   /// The technique's mapper with its maps, and the mesh that it draws.
-  void MakeMapper(Object& object, const MesoNormals& normals, const std::string& baked,
+  void MakeMapper(const MesoSceneNode& node, Object& object, const MesoNormals& normals,
     const std::string& inScene);
   /// Read where a baked file is named, else made of the object's mesh.
   vtkSmartPointer<vtkImageData> MakeGeometryImage(

@@ -70,6 +70,7 @@ void MesoShaderBuild::Define(const MesoShaderShape& shape)
   {
     define("MESO_FRAME", shape.UsesFrame);
     define("MESO_DISPLACED", shape.Displaced);
+    define("MESO_PRISMS", shape.Prisms);
   }
   if (this->Surface || this->Diced)
   {

@@ -14,7 +14,7 @@ void MesoSetViewMatrices(vtkShaderProgram* program, vtkRenderer* renderer, vtkAc
   // A shader that needs no position (directional lights, neither occlusion nor depth) still needs
   // the normal.
   if (!program->IsUniformUsed("mesoMCVCMatrix") && !program->IsUniformUsed("mesoNormalMatrix") &&
-    !program->IsUniformUsed("mesoModelToView"))
+    !program->IsUniformUsed("mesoModelToView") && !program->IsUniformUsed("mesoViewToModel"))
   {
     return;
   }
@@ -70,6 +70,11 @@ void MesoSetViewMatrices(vtkShaderProgram* program, vtkRenderer* renderer, vtkAc
   if (program->IsUniformUsed("mesoModelToView"))
   {
     program->SetUniformMatrix("mesoModelToView", linear);
+  }
+  if (program->IsUniformUsed("mesoViewToModel"))
+  {
+    linear->Invert();
+    program->SetUniformMatrix("mesoViewToModel", linear);
   }
   if (program->IsUniformUsed("mesoVCDCMatrix"))
   {

@@ -34,6 +34,20 @@ void CollectMeshes(const std::vector<MesoSceneNode>& nodes, std::vector<MesoScen
   }
 }
 
+/// A closed form is of the whole shape.
+void RefuseParts(const std::vector<MesoSceneNode>& nodes)
+{
+  for (const MesoSceneNode& node : nodes)
+  {
+    if (node.Part)
+    {
+      throw MesoInputError("node '" + node.Name +
+        "': the surface 'smooth' is that of a whole shape, and this is a part of one");
+    }
+    RefuseParts(node.Children);
+  }
+}
+
 /// All that detail does, whatever the nodes' techniques show of it; and their base meshes, where a
 /// technique would dice them.
 void ShowAllDetail(std::vector<MesoSceneNode>& nodes)
@@ -43,6 +57,11 @@ void ShowAllDetail(std::vector<MesoSceneNode>& nodes)
     if (MesoUsesHeightMap(node.Mesostructure.Technique))
     {
       node.Mesostructure.Technique = MesoTechnique::Relief;
+      node.Mesostructure.Effects = MesoEffectChoice();
+    }
+    if (MesoUsesVolume(node.Mesostructure.Technique))
+    {
+      node.Mesostructure.Technique = MesoTechnique::ShellSDF;
       node.Mesostructure.Effects = MesoEffectChoice();
     }
     ShowAllDetail(node.Children);
@@ -127,6 +146,10 @@ MesoReference::MesoReference(const MesoScene& scene, Surface surface, double fac
   : Inside(std::make_unique<Implementation>(scene))
 {
   const auto start = std::chrono::steady_clock::now();
+  if (surface == Surface::Smooth)
+  {
+    RefuseParts(scene.Nodes);
+  }
   Implementation& inside = *this->Inside;
   // The builder reads files and resolves matrices; nothing is rendered, so no context is made.
   MesoSceneBuilder& builder = inside.Builder;
@@ -274,7 +297,7 @@ MesoReference::Implementation::Sample MesoReference::Implementation::Look(double
 
   // To the camera's position, as VTK takes it, in parallel projection as well.
   const glm::dvec3 eye = glm::normalize(this->Camera.Position - place);
-  const bool all = shadowsOnPlain || surface.IsDisplaced();
+  const bool all = shadowsOnPlain || surface.HasDetail();
   sample.Color = this->Materials[sample.At.Object].Shade(this->Lights,
     all ? blocked : this->CastOn(sample, blocked), place, sample.Point.Shading, eye,
     sample.Point.MapCoord);

@@ -80,6 +80,16 @@ MesoReferenceSurface::MesoReferenceSurface(
   {
     this->FindShape(source);
   }
+  if (object.Volume)
+  {
+    if (smooth)
+    {
+      throw MesoInputError(this->Label + ": the surface 'smooth' is not known for volumes");
+    }
+    this->Shell = std::make_unique<MesoReferenceShell>(
+      MesoReferenceShell::Base{ this->Points, this->Normals, this->Coordinates, this->Triangles },
+      object.Options.Scale, object.Options.Reference, object.Volume);
+  }
   for (std::size_t i = 0; i < this->Triangles.size() && this->Displaced && !this->Shape; ++i)
   {
     this->Degenerate += this->HasChart(i) ? 0 : 1;
@@ -111,7 +121,8 @@ void MesoReferenceSurface::ReadMesh(vtkPolyData* mesh, const MesoMesostructureOp
 {
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
   vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
-  if (!normals || (this->Displaced && !coordinates))
+  const bool mapped = this->Displaced || MesoUsesVolume(options.Technique);
+  if (!normals || (mapped && !coordinates))
   {
     throw MesoInputError(this->Label + ": the mesh has no " +
       (normals ? "texture coordinates, without which no map lies on it" : "normals"));
@@ -254,6 +265,10 @@ MesoDisplacement MesoReferenceSurface::Over(std::size_t patch) const
 
 MesoBox MesoReferenceSurface::BoundsOf(std::size_t patch) const
 {
+  if (this->Shell)
+  {
+    return this->Shell->BoundsOf(patch, this->Matrix);
+  }
   if (!this->Shape)
   {
     for (std::uint32_t corner : this->Triangles[patch])
@@ -364,9 +379,36 @@ glm::dvec2 MesoReferenceSurface::ShadingGradient(double x, double y) const
     b * ((1. - a) * central(column, row + 1) + a * central(column + 1, row + 1));
 }
 
+MesoReferencePoint MesoReferenceSurface::DescribeInShell(
+  const MesoReferenceHit& hit, const glm::dvec3& ray) const
+{
+  MesoPrismHit inPrism;
+  inPrism.Place = { hit.X, hit.Y, hit.Z };
+  inPrism.Cut = hit.Cut;
+  const MesoReferenceShell::Point point =
+    this->Shell->Describe(hit.Patch, inPrism, glm::dmat3(this->Inverse) * ray);
+  const auto toWorld = [&](const glm::dvec3& normal)
+  {
+    return hit.Cut == -2 || !(glm::dot(normal, normal) > 0.) ? -glm::normalize(ray)
+                                                             : NormalToWorld(this->Inverse, normal);
+  };
+  MesoReferencePoint result;
+  result.Geometric = toWorld(point.Geometric);
+  result.Shading = toWorld(point.Shading);
+  result.MapCoord = point.MapCoord;
+  result.Relief = point.Relief;
+  result.TexelSize =
+    point.VoxelSize * std::cbrt(std::abs(glm::determinant(glm::dmat3(this->Matrix))));
+  return result;
+}
+
 MesoReferencePoint MesoReferenceSurface::Describe(
   const MesoReferenceHit& hit, const glm::dvec3& ray) const
 {
+  if (this->Shell)
+  {
+    return this->DescribeInShell(hit, ray);
+  }
   MesoReferencePoint result;
   this->WithPatch(hit.Patch,
     [&](const MesoBasePatch& patch, const MesoDisplacement& over)
@@ -443,6 +485,7 @@ MesoReferencePoint MesoReferenceSurface::Describe(
 std::size_t MesoReferenceSurface::MemoryBytes() const
 {
   return (this->Map ? this->Map->MemoryBytes() : 0) +
+    (this->Shell ? this->Shell->MemoryBytes() : 0) +
     (this->Points.size() + this->Normals.size()) * sizeof(glm::dvec3) +
     this->Coordinates.size() * sizeof(glm::dvec2) +
     this->Triangles.size() * sizeof(this->Triangles[0]);

@@ -10,6 +10,7 @@
  * The base is the node's mesh, with p linear and n normalised-linear in each triangle, or, where
  * the base is to be smooth, the closed form of its built-in shape, cut into as many rectangles as
  * the mesh has. Displaced: q = p + (h - r) D n. Not displaced (`plain`): q = p.
+ * A volume lies in the shell of prisms over the mesh: MesoReferenceShell.
  *
  * A displaced triangle whose texture coordinates span no area, are not finite or beyond 1e12 texels, has no way to lay
  * the map over it: it is displaced evenly, by the height at its middle, or not at all, and counted.
@@ -19,6 +20,7 @@
 #include "MesoHeightPyramid.h"
 #include "MesoPatchSolver.h" // for MesoDisplacement
 #include "MesoReferenceNormals.h"
+#include "MesoReferenceShell.h"
 #include "MesoSceneBuilder.h"
 
 #include <cstdint>
@@ -34,6 +36,8 @@ struct MesoReferenceHit
   double T = 0.; ///< along the ray
   double X = 0.; ///< in the patch
   double Y = 0.;
+  double Z = 0.; ///< height in the prism, of volumes
+  int Cut = -1;  ///< of volumes: MesoPrismHit
   bool OnBase = false; ///< the base itself, of a displaced surface, seen from behind
   bool Behind = false; ///< seen from behind
 };
@@ -78,6 +82,10 @@ public:
   std::array<glm::dvec2, 3> PlacesOf(std::size_t triangle) const;
 
   bool IsDisplaced() const { return this->Displaced; }
+  /// The volume of mesostructure over the mesh; null where there is none.
+  const MesoReferenceShell* GetShell() const { return this->Shell.get(); }
+  /// Whether detail lies over the base, of either kind.
+  bool HasDetail() const { return this->Displaced || this->Shell; }
   bool IsTwoSided() const { return this->TwoSided; }
   bool IsSmooth() const { return this->Shape.has_value(); }
   const MesoHeightPyramid* GetMap() const { return this->Map.get(); }
@@ -88,6 +96,7 @@ public:
   std::size_t MemoryBytes() const;
 
 private:
+  MesoReferencePoint DescribeInShell(const MesoReferenceHit& hit, const glm::dvec3& ray) const;
   void ReadMesh(vtkPolyData* mesh, const MesoMesostructureOptions& options);
   void FindShape(const MesoSceneMesh& source);
   /// Whether the map can be laid over a triangle.
@@ -111,6 +120,7 @@ private:
   glm::dmat4 Inverse = glm::dmat4(1.);
   bool Mirrored = false;
   std::shared_ptr<const MesoHeightPyramid> Map;  ///< null where not displaced
+  std::unique_ptr<const MesoReferenceShell> Shell;
   std::optional<MesoReferenceNormals> NormalMap; ///< given in place of the surface's own normals
   std::optional<MesoShape> Shape;                ///< the base's closed form, where it is smooth
 

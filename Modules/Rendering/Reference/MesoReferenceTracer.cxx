@@ -85,6 +85,11 @@ public:
       return;
     }
     this->Enter(geometry);
+    if (surface.GetShell())
+    {
+      this->SolvePrism(geometry, primitive, *surface.GetShell());
+      return;
+    }
     surface.WithPatch(primitive,
       [&](const MesoBasePatch& patch, const MesoDisplacement& over)
       {
@@ -141,6 +146,8 @@ private:
     const glm::dvec3 origin = glm::dvec3(toObject * glm::dvec4(this->Origin, 1.));
     const glm::dvec3 direction = glm::dmat3(toObject) * this->Direction;
     this->Shift = glm::dot(surface.Centre() - origin, direction) / glm::dot(direction, direction);
+    this->Start = origin + this->Shift * direction;
+    this->Along = direction;
     this->Solver = MesoPatchSolver(origin + this->Shift * direction, direction,
       this->TMin - this->Shift, this->TMax - this->Shift);
   }
@@ -188,6 +195,28 @@ private:
     }
   }
 
+  void SolvePrism(int geometry, unsigned int primitive, const MesoReferenceShell& shell)
+  {
+    MesoPrismHit hit;
+    // Up to and with the best so far, as in Solve.
+    const double last =
+      std::nextafter(this->TMax - this->Shift, std::numeric_limits<double>::infinity());
+    if (this->What == Kind::Surface && !this->Done &&
+      MesoFirstInPrism(shell.PrismOf(primitive), shell.GetVolume(), this->Start, this->Along,
+        this->TMin - this->Shift, last, hit, this->Work.Solver))
+    {
+      MesoReferenceHit next;
+      next.Object = geometry;
+      next.Patch = primitive;
+      next.T = hit.T + this->Shift;
+      next.X = hit.Place.x;
+      next.Y = hit.Place.y;
+      next.Z = hit.Place.z;
+      next.Cut = hit.Cut;
+      this->Take(next);
+    }
+  }
+
   void Take(const MesoReferenceHit& next)
   {
     const bool later = this->Found &&
@@ -209,6 +238,8 @@ private:
   MesoTraceWork& Work;
   int Entered = -1;
   double Shift = 0.;
+  glm::dvec3 Start; ///< the ray in the space of the surface that it has entered
+  glm::dvec3 Along;
   MesoPatchSolver Solver{ glm::dvec3(0.), glm::dvec3(0., 0., 1.), 0., 0. };
 };
 
@@ -237,6 +268,10 @@ void MesoReferenceTracer::Dice(double facetsPerTexel)
     if (surface->IsSmooth())
     {
       throw MesoInputError("the surface 'smooth' cannot be diced");
+    }
+    if (surface->GetShell())
+    {
+      throw MesoInputError("a volume cannot be diced");
     }
     Dicing dicing;
     dicing.FirstFacet.push_back(0);

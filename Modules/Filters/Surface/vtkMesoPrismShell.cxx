@@ -1,0 +1,231 @@
+#include "vtkMesoPrismShell.h"
+
+#include "MesoFitInput.h"
+#include "MesoPrismShell.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+vtkStandardNewMacro(vtkMesoPrismShell);
+
+namespace
+{
+constexpr std::size_t MostPrisms = std::size_t(1) << 24; // their numbers are floats in shaders
+constexpr int CornersOfPrism = 6;
+constexpr int TableRows = 7;
+
+MesoVector MiddleOf(const std::vector<MesoPrism>& prisms)
+{
+  MesoVector low = prisms[0].Bottom[0];
+  MesoVector high = low;
+  for (const MesoPrism& prism : prisms)
+  {
+    for (const MesoVector& corner : prism.Bottom)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(low[axis], corner[axis]);
+        high[axis] = std::max(high[axis], corner[axis]);
+      }
+    }
+  }
+  return MesoScaled(MesoSum(low, high), 0.5);
+}
+
+/// Points of all prisms with their arrays.
+void WritePoints(
+  const std::vector<MesoPrism>& prisms, const MesoPrismShellInput& input, int type, vtkPolyData* output)
+{
+  std::vector<MesoVector> normals;
+  std::vector<std::array<double, 2>> coordinates;
+  std::vector<std::array<double, 1>> numbers;
+  std::vector<std::array<double, 1>> heights;
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(CornersOfPrism * prisms.size()));
+  vtkIdType next = 0;
+  for (std::size_t i = 0; i < prisms.size(); ++i)
+  {
+    for (const double z : { 0., 1. })
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const MesoVector place =
+          MesoSum(prisms[i].Bottom[k], MesoScaled(prisms[i].Rise[k], z));
+        points->SetPoint(next++, place.data());
+        normals.push_back(input.Normals[prisms[i].Points[k]]);
+        coordinates.push_back(input.Coordinates[prisms[i].Points[k]]);
+        numbers.push_back({ static_cast<double>(i) });
+        heights.push_back({ z });
+      }
+    }
+  }
+  output->SetPoints(points);
+  vtkPointData* data = output->GetPointData();
+  data->SetNormals(MesoMakeArray("Normals", type, normals));
+  data->SetTCoords(MesoMakeArray("TextureCoordinates", type, coordinates));
+  data->AddArray(MesoMakeArray("MesoPrism", type, numbers));
+  data->AddArray(MesoMakeArray("MesoShellHeight", type, heights));
+}
+
+void WriteFaces(const std::vector<MesoPrism>& prisms, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> faces;
+  for (std::size_t i = 0; i < prisms.size(); ++i)
+  {
+    const vtkIdType first = static_cast<vtkIdType>(i) * CornersOfPrism;
+    const auto add = [&](int a, int b, int c)
+    {
+      vtkIdType corners[3] = { first + a, first + b, first + c };
+      if (prisms[i].Turned)
+      {
+        std::swap(corners[1], corners[2]);
+      }
+      faces->InsertNextCell(3, corners);
+    };
+    add(0, 2, 1);
+    add(3, 4, 5);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int next = (k + 1) % 3;
+      if ((prisms[i].Falling >> k) & 1)
+      {
+        add(k, next, k + 3);
+        add(next, next + 3, k + 3);
+      }
+      else
+      {
+        add(k, next, next + 3);
+        add(k, next + 3, k + 3);
+      }
+    }
+  }
+  output->SetPolys(faces);
+}
+
+void WriteTable(
+  const std::vector<MesoPrism>& prisms, const MesoPrismShellInput& input, vtkPolyData* output)
+{
+  const MesoVector middle = MiddleOf(prisms);
+  vtkNew<vtkFloatArray> table;
+  table->SetName("MesoPrismTable");
+  table->SetNumberOfComponents(4);
+  table->SetNumberOfTuples(static_cast<vtkIdType>(TableRows * prisms.size()));
+  vtkNew<vtkIdTypeArray> triangles;
+  triangles->SetName("MesoPrismTriangle");
+  vtkIdType next = 0;
+  for (const MesoPrism& prism : prisms)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const MesoVector place = MesoDifference(prism.Bottom[k], middle);
+      table->SetTuple4(next++, place[0], place[1], place[2], input.Coordinates[prism.Points[k]][0]);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const MesoVector& rise = prism.Rise[k];
+      table->SetTuple4(next++, rise[0], rise[1], rise[2], input.Coordinates[prism.Points[k]][1]);
+    }
+    table->SetTuple4(next++, prism.Flags(), 0., 0., 0.);
+    triangles->InsertNextValue(static_cast<vtkIdType>(prism.Triangle));
+  }
+  vtkNew<vtkDoubleArray> centre;
+  centre->SetName("MesoPrismCentre");
+  centre->SetNumberOfComponents(3);
+  centre->InsertNextTuple(middle.data());
+  for (vtkDataArray* array :
+    { static_cast<vtkDataArray*>(table), static_cast<vtkDataArray*>(centre),
+      static_cast<vtkDataArray*>(triangles) })
+  {
+    output->GetFieldData()->AddArray(array);
+  }
+}
+}
+
+int vtkMesoPrismShell::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->InvertedTriangles.clear();
+  this->NumberOfDegenerateTriangles = 0;
+  this->NumberOfOpenFins = 0;
+  this->NumberOfSeamFins = 0;
+  this->LeastRise = 1.;
+  this->ErrorMessage =
+    MesoFitFailure("prisms", [&] { this->Execute(vtkPolyData::GetData(inputVector[0]), output); });
+  if (!this->ErrorMessage.empty())
+  {
+    output->Initialize();
+    vtkErrorMacro(<< this->ErrorMessage);
+    // Returning 0 would make the executive add an error of several lines that says nothing more.
+  }
+  return 1;
+}
+
+void vtkMesoPrismShell::Execute(vtkPolyData* input, vtkPolyData* output)
+{
+  if (!(this->Thickness > 0.) || !std::isfinite(this->Thickness))
+  {
+    throw std::invalid_argument("Thickness must be more than 0 and finite");
+  }
+  if (!(this->Tiles[0] > 0. && this->Tiles[1] > 0.))
+  {
+    throw std::invalid_argument("Tiles must be more than 0");
+  }
+  if (input->GetNumberOfPoints() == 0 || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  {
+    return;
+  }
+  MesoPrismShellInput source;
+  MesoFitInput read = MesoReadFitInput(input);
+  if (read.Mesh.Triangles.size() > MostPrisms)
+  {
+    throw std::invalid_argument("the mesh has more than 2^24 triangles");
+  }
+  source.Coordinates = MesoTuples<2>(MesoFindTextureCoordinates(input), "the texture coordinate");
+  source.Mesh = std::move(read.Mesh);
+  source.Normals = std::move(read.Normals);
+  source.Tiles = { this->Tiles[0], this->Tiles[1] };
+  source.Thickness = this->Thickness;
+  source.Reference = this->Reference;
+  source.Clamp = this->ClampThickness;
+  this->UpdateProgress(0.2);
+  const MesoPrismShell shell = MesoMakePrismShell(source);
+  this->UpdateProgress(0.6);
+  this->InvertedTriangles.assign(shell.Inverted.begin(), shell.Inverted.end());
+  this->NumberOfDegenerateTriangles = shell.DegenerateTriangles;
+  this->NumberOfOpenFins = shell.OpenFins;
+  this->NumberOfSeamFins = shell.SeamFins;
+  this->LeastRise = shell.LeastRise;
+  if (shell.Prisms.empty() || this->GetAbortExecute())
+  {
+    return;
+  }
+  WritePoints(shell.Prisms, source, input->GetPoints()->GetDataType(), output);
+  WriteFaces(shell.Prisms, output);
+  WriteTable(shell.Prisms, source, output);
+}
+
+void vtkMesoPrismShell::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Thickness: " << this->Thickness << "\n";
+  os << indent << "Reference: " << this->Reference << "\n";
+  os << indent << "Tiles: " << this->Tiles[0] << " " << this->Tiles[1] << "\n";
+  os << indent << "ClampThickness: " << this->ClampThickness << "\n";
+  os << indent << "InvertedTriangles: " << this->InvertedTriangles.size() << "\n";
+  os << indent << "NumberOfDegenerateTriangles: " << this->NumberOfDegenerateTriangles << "\n";
+  os << indent << "NumberOfOpenFins: " << this->NumberOfOpenFins << "\n";
+  os << indent << "NumberOfSeamFins: " << this->NumberOfSeamFins << "\n";
+  os << indent << "LeastRise: " << this->LeastRise << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+}

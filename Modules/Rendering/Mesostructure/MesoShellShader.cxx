@@ -1,0 +1,145 @@
+#include "MesoShellShader.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+/// Shortest step, in voxels, and the most of them on a piece of a ray's way.
+struct Steps
+{
+  const char* Least;
+  const char* Most;
+};
+
+Steps StepsOf(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+      return { "1.0", "64" };
+    case MesoQuality::Low:
+      return { "0.5", "128" };
+    case MesoQuality::Medium:
+      return { "0.25", "256" };
+    default:
+      return { "0.125", "512" };
+  }
+}
+
+/// Steps of the volume's own distance after a look-up in the table.
+const char* CorrectionsOf(MesoQuality quality)
+{
+  switch (quality)
+  {
+    case MesoQuality::Draft:
+    case MesoQuality::Full:
+      return "0";
+    case MesoQuality::Low:
+      return "1";
+    case MesoQuality::Medium:
+      return "2";
+    default:
+      return "4";
+  }
+}
+}
+
+MesoShaderShape MesoShellShader::GetShape() const
+{
+  const MesoEffects effects = MesoEffectsOn(this->Options);
+  if (!this->GetVolume() || (this->UsesTable() && !this->GetTable()) || effects.Empty())
+  {
+    return MesoTechniqueShader::GetShape();
+  }
+  MesoShaderShape shape;
+  shape.Traces = true;
+  shape.Prisms = true;
+  shape.WritesDepth = true;
+  shape.Attributes = { { "mesoPrism", "MesoPrism" } };
+  shape.Chunks = { "Common/VolumeAccess.glsl", "Kernels/Prism.glsl", "Kernels/Volume.glsl",
+    "Common/PrismAccess.glsl", "Common/PrismShell.glsl" };
+  shape.Defines = { { "MESO_SEGMENTS", std::to_string(std::max(this->Options.Segments, 1)) } };
+  if (this->UsesTable())
+  {
+    const int groups = this->Table.GetGroups();
+    shape.Defines.emplace_back("MESO_GDM_GROUPS", std::to_string(groups));
+    shape.Defines.emplace_back("MESO_CORRECTIONS", CorrectionsOf(this->Options.Quality));
+    shape.Chunks.insert(shape.Chunks.end(),
+      { "Common/GDMAccess.glsl",
+        groups > 0 ? "Common/GDMFactorsAccess.glsl" : "Common/GDMWholeAccess.glsl",
+        "Kernels/GDMTable.glsl", groups > 0 ? "Kernels/GDMFactors.glsl" : "Kernels/GDMWhole.glsl",
+        "Techniques/GDM.glsl" });
+  }
+  else
+  {
+    const Steps steps = StepsOf(this->Options.Quality);
+    shape.Defines.emplace_back("MESO_LEAST_STEP", steps.Least);
+    shape.Defines.emplace_back("MESO_MOST_STEPS", steps.Most);
+    shape.Chunks.emplace_back("Techniques/ShellSDF.glsl");
+  }
+  const std::pair<MesoEffect, const char*> names[] = { { MesoEffect::Shading, "MESO_SHADING" },
+    { MesoEffect::Occlusion, "MESO_OCCLUSION" }, { MesoEffect::SelfShadow, "MESO_SELF_SHADOW" },
+    { MesoEffect::Depth, "MESO_DEPTH" }, { MesoEffect::Silhouette, "MESO_SILHOUETTE" } };
+  for (const auto& name : names)
+  {
+    if (effects.Has(name.first))
+    {
+      shape.Defines.emplace_back(name.second, "");
+    }
+  }
+  return shape;
+}
+
+std::string MesoShellShader::Activate(vtkOpenGLRenderWindow* window)
+{
+  if (!this->ShellProblem.empty() || !this->GetVolume())
+  {
+    return this->ShellProblem;
+  }
+  std::string failure = this->UsesTable() ? this->TableProblem : std::string();
+  for (MesoMapTexture* texture : this->Textures())
+  {
+    failure = failure.empty() ? texture->Activate(window, MesoWrap::Repeat) : failure;
+  }
+  return failure;
+}
+
+std::vector<MesoMapTexture*> MesoShellShader::Textures()
+{
+  std::vector<MesoMapTexture*> textures = { &this->Prisms, &this->Volume };
+  if (this->UsesTable())
+  {
+    textures.push_back(&this->Table);
+  }
+  return textures;
+}
+
+void MesoShellShader::SetUniforms(vtkShaderProgram* program)
+{
+  for (MesoMapTexture* texture : this->Textures())
+  {
+    texture->SetUniforms(program);
+  }
+}
+
+void MesoShellShader::Deactivate()
+{
+  for (MesoMapTexture* texture : this->Textures())
+  {
+    texture->Deactivate();
+  }
+}
+
+void MesoShellShader::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Prisms.ReleaseGraphicsResources(window);
+  this->Volume.ReleaseGraphicsResources(window);
+  this->Table.ReleaseGraphicsResources(window);
+}
+
+std::size_t MesoShellShader::GetGPUBytes() const
+{
+  return this->Prisms.GetGPUBytes() + this->Volume.GetGPUBytes() + this->Table.GetGPUBytes();
+}

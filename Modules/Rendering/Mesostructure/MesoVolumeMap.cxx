@@ -1,0 +1,71 @@
+#include "MesoVolumeMap.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace
+{
+vtkDataArray* DepthOf(vtkImageData* volume)
+{
+  vtkDataArray* depth = volume->GetFieldData()->GetArray("MesoVolumeDepth");
+  return depth && depth->GetNumberOfValues() == 1 && depth->GetComponent(0, 0) > 0. ? depth
+                                                                                     : nullptr;
+}
+}
+
+MesoVolumeMap::MesoVolumeMap()
+  : MesoMapTexture(1)
+{
+}
+
+std::string MesoVolumeMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
+{
+  vtkDataArray* distances = this->GetImage()->GetPointData()->GetArray("MesoSignedDistance");
+  if (!distances || distances->GetDataType() != VTK_FLOAT ||
+    distances->GetNumberOfComponents() != 1 || !DepthOf(this->GetImage()))
+  {
+    return "the volume must have the arrays MesoSignedDistance, one component of float a voxel, and "
+           "MesoVolumeDepth";
+  }
+  int size[3];
+  this->GetImage()->GetDimensions(size);
+  const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (size[axis] > limit)
+    {
+      return "the volume has " + std::to_string(size[axis]) + " voxels in a row, and this device takes " +
+        std::to_string(limit);
+    }
+  }
+  vtkTextureObject* texture = this->Texture();
+  texture->ReleaseGraphicsResources(window);
+  texture->SetContext(window);
+  texture->SetWrapS(vtkTextureObject::Repeat);
+  texture->SetWrapT(vtkTextureObject::Repeat);
+  texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  if (!texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
+        static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), 1, VTK_FLOAT,
+        distances->GetVoidPointer(0)))
+  {
+    return "the volume could not be made a texture";
+  }
+  this->Bytes = std::size_t(distances->GetNumberOfValues()) * sizeof(float);
+  return {};
+}
+
+void MesoVolumeMap::SetUniforms(vtkShaderProgram* program)
+{
+  if (this->SetSampler(program, "mesoVolume") && program->IsUniformUsed("mesoVolumeDepth"))
+  {
+    program->SetUniformf(
+      "mesoVolumeDepth", static_cast<float>(DepthOf(this->GetImage())->GetComponent(0, 0)));
+  }
+}

@@ -1,0 +1,87 @@
+/**
+ * @class vtkMesoShellMapper
+ * @brief Draw a volume of mesostructure - overhangs, weaves, chains - in a shell of prisms over a mesh.
+ *
+ * The input is the shell that vtkMesoPrismShell makes of the mesh. Its faces that look to the eye are
+ * rasterised, fins and bottoms among them; a fragment is where the eye's ray comes into a prism. The
+ * ray's way to where it leaves the prism is a straight line in texture space (or several, the options'
+ * Segments), along which the volume is searched; a fragment that meets nothing is not drawn, and the
+ * depth buffer decides between prisms, in any order of drawing (Wang2004, section 3.2). With the eye or
+ * the near plane in the shell the prisms around it are entered there.
+ *
+ * The options' Technique says how the volume is searched:
+ *
+ * - ShellSDF: along its signed distance, by steps as long as that is (Hart1996). The quality says how
+ *   short the shortest steps are: 1, 1/2, 1/4, 1/8 voxel.
+ *
+ * - GDM: by one look-up of the distance to matter in a Table of it (vtkMesoGDMTable) for each piece of a
+ *   ray's way, and one for each light. The quality Full is a whole table.
+ *
+ * Volume: a canonical volume, one tile of the mesostructure in x and y, whole in z: the point array
+ * MesoSignedDistance (1, float; tile widths, negative inside; row 0 at t = 0, z from the shell's bottom to
+ * its top) and the field array MesoVolumeDepth (1; z counts that many tile widths). Matter ends at the
+ * shell's bottom, top and open fins, where its cut is seen.
+ *
+ * The options' Scale is the shell's thickness, which the input has already; Effects other than shading,
+ * self-shadow and those of shadow maps are shown together or not at all.
+ *
+ * Sources: Wang et al., "Generalized Displacement Maps", EGSR 2004; Hart, "Sphere Tracing", 1996.
+ *
+ * @sa vtkMesoPrismShell, vtkMesoPolyDataMapper
+ */
+
+#ifndef vtkMesoShellMapper_h
+#define vtkMesoShellMapper_h
+
+#include "mesoRenderingMesostructureModule.h" // for export macro
+#include "vtkMesoPolyDataMapper.h"
+
+#include <memory>
+
+class MesoShellShader;
+class vtkImageData;
+
+class MESORENDERINGMESOSTRUCTURE_EXPORT vtkMesoShellMapper : public vtkMesoPolyDataMapper
+{
+public:
+  static vtkMesoShellMapper* New();
+  vtkTypeMacro(vtkMesoShellMapper, vtkMesoPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The volume; without one the shell's faces are drawn.
+  void SetVolume(vtkImageData* volume);
+  vtkImageData* GetVolume();
+  vtkMTimeType GetDetailMTime() override;
+  ///@}
+
+  ///@{
+  /// The volume's table of distances, for the technique GDM, which draws the shell's faces without one.
+  void SetTable(vtkImageData* table);
+  vtkImageData* GetTable();
+  ///@}
+
+  /// Draw as another mapper does; volume and table are shared.
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
+
+protected:
+  vtkMesoShellMapper();
+  ~vtkMesoShellMapper() override;
+
+  MesoTechniqueShader* GetTechnique() override;
+  MesoTechnique TechniqueOf(const MesoMesostructureOptions& options) const override;
+  void OptionsChanged() override;
+  void SetCameraShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  vtkMesoShellMapper(const vtkMesoShellMapper&) = delete;
+  void operator=(const vtkMesoShellMapper&) = delete;
+
+  std::unique_ptr<MesoShellShader> Shell;
+};
+
+#endif

@@ -1,0 +1,200 @@
+// A triangle extruded to a prism, and a ray through it (Wang2004, sections 3.1 and 3.2). Object space.
+//
+// A point of the prism is sum_i b_i (Bottom_i + z Rise_i), with b over the triangle and z in [0, 1]. Fin k
+// stands over the edge from corner k to the next. It is bilinear; for what lies inside it counts as two
+// triangles, which both prisms at the fin cut along the same diagonal.
+
+struct Prism
+{
+  vec3 Bottom0;
+  vec3 Bottom1;
+  vec3 Bottom2;
+  vec3 Rise0;
+  vec3 Rise1;
+  vec3 Rise2;
+  int Flags; // bit k: fin k's diagonal runs from the bottom of corner k + 1, else from that of corner k
+};
+
+// The stretch of a ray inside a prism, as lengths along the ray; nothing where Leave < Enter.
+struct PrismSpan
+{
+  float Enter;
+  float Leave;
+  int Face; // by which the ray enters: 0 bottom, 1 top, 2 + k fin k
+};
+
+const float FAR_ALONG_RAY = 1.0e30;
+
+// 1 where the corners run counter-clockwise seen from above, else -1.
+float prismWinding(Prism p)
+{
+  vec3 area = cross(p.Bottom1 - p.Bottom0, p.Bottom2 - p.Bottom0);
+  return dot(area, p.Rise0 + p.Rise1 + p.Rise2) < 0.0 ? -1.0 : 1.0;
+}
+
+// Where a height that changes along the ray, `above` at 0, is at most 0.
+vec2 stretchBelow(float above, float rate)
+{
+  if (rate > 0.0)
+  {
+    return vec2(-FAR_ALONG_RAY, -above / rate);
+  }
+  if (rate < 0.0)
+  {
+    return vec2(-above / rate, FAR_ALONG_RAY);
+  }
+  return above > 0.0 ? vec2(FAR_ALONG_RAY, -FAR_ALONG_RAY) : vec2(-FAR_ALONG_RAY, FAR_ALONG_RAY);
+}
+
+vec2 stretchBehind(vec3 onPlane, vec3 outward, vec3 origin, vec3 direction)
+{
+  return stretchBelow(dot(outward, origin - onPlane), dot(outward, direction));
+}
+
+// Inside a fin between corners a and b: before both planes of its triangles where they bend outward, before
+// either where they bend inward (Wang2004, Figure 5). Both planes are taken through the diagonal, in the
+// same way for the prism on the other side, so that one leaves where the other enters.
+// `at` chooses between two stretches: the one that holds it.
+vec2 stretchInFin(vec3 a, vec3 b, vec3 riseA, vec3 riseB, bool falling, float winding, vec3 origin,
+  vec3 direction, float at)
+{
+  vec3 edge = b - a;
+  vec3 lower = falling ? cross(edge, riseA) : cross(edge, riseB);
+  vec3 upper = falling ? cross(riseB, riseA - edge) : cross(edge + riseB, riseA);
+  float beyond = falling ? dot(lower, edge + riseB) : dot(lower, riseA);
+  vec3 onBoth = falling ? b : a;
+  vec2 first = stretchBehind(onBoth, winding * lower, origin, direction);
+  vec2 second = stretchBehind(onBoth, winding * upper, origin, direction);
+  if (winding * beyond <= 0.0)
+  {
+    return vec2(max(first.x, second.x), min(first.y, second.y));
+  }
+  if (max(first.x, second.x) <= min(first.y, second.y))
+  {
+    return vec2(min(first.x, second.x), max(first.y, second.y));
+  }
+  bool inOrder = first.y < second.y;
+  vec2 before = inOrder ? first : second;
+  vec2 after = inOrder ? second : first;
+  return 2.0 * at <= before.y + after.x ? before : after;
+}
+
+// The stretch of a ray in a prism that holds `at`, or is nearest to it.
+PrismSpan prismSpan(Prism p, vec3 origin, vec3 direction, float at)
+{
+  float winding = prismWinding(p);
+  vec2 stretches[5];
+  stretches[0] = stretchBehind(p.Bottom0,
+    -winding * cross(p.Bottom1 - p.Bottom0, p.Bottom2 - p.Bottom0), origin, direction);
+  vec3 top = p.Bottom0 + p.Rise0;
+  stretches[1] = stretchBehind(top,
+    winding * cross(p.Bottom1 + p.Rise1 - top, p.Bottom2 + p.Rise2 - top), origin, direction);
+  stretches[2] = stretchInFin(p.Bottom0, p.Bottom1, p.Rise0, p.Rise1, (p.Flags & 1) != 0, winding,
+    origin, direction, at);
+  stretches[3] = stretchInFin(p.Bottom1, p.Bottom2, p.Rise1, p.Rise2, (p.Flags & 2) != 0, winding,
+    origin, direction, at);
+  stretches[4] = stretchInFin(p.Bottom2, p.Bottom0, p.Rise2, p.Rise0, (p.Flags & 4) != 0, winding,
+    origin, direction, at);
+  PrismSpan span;
+  span.Enter = stretches[0].x;
+  span.Leave = stretches[0].y;
+  span.Face = 0;
+  for (int i = 1; i < 5; ++i)
+  {
+    if (stretches[i].x > span.Enter)
+    {
+      span.Enter = stretches[i].x;
+      span.Face = i;
+    }
+    span.Leave = min(span.Leave, stretches[i].y);
+  }
+  return span;
+}
+
+// Change of place with b1, b2 and z, at (b1, b2, z).
+void prismTangents(Prism p, vec3 place, out vec3 alongB1, out vec3 alongB2, out vec3 alongZ)
+{
+  vec3 turn1 = p.Rise1 - p.Rise0;
+  vec3 turn2 = p.Rise2 - p.Rise0;
+  alongB1 = p.Bottom1 - p.Bottom0 + place.z * turn1;
+  alongB2 = p.Bottom2 - p.Bottom0 + place.z * turn2;
+  alongZ = p.Rise0 + place.x * turn1 + place.y * turn2;
+}
+
+// (a, b, c) with a x + b y + c z = v; 0 where x, y and z span no volume.
+vec3 solveThree(vec3 x, vec3 y, vec3 z, vec3 v)
+{
+  vec3 yz = cross(y, z);
+  float volume = dot(x, yz);
+  if (volume == 0.0)
+  {
+    return vec3(0.0);
+  }
+  return vec3(dot(v, yz), dot(v, cross(z, x)), dot(v, cross(x, y))) / volume;
+}
+
+// The way of (b1, b2, z) along a direction, at a place.
+vec3 prismRates(Prism p, vec3 place, vec3 direction)
+{
+  vec3 alongB1;
+  vec3 alongB2;
+  vec3 alongZ;
+  prismTangents(p, place, alongB1, alongB2, alongZ);
+  return solveThree(alongB1, alongB2, alongZ, direction);
+}
+
+// (b1, b2, z) of a point in or near the prism, by Newton's steps from a place near by.
+vec3 prismPlace(Prism p, vec3 point, vec3 near)
+{
+  vec3 place = near;
+  for (int i = 0; i < 5; ++i)
+  {
+    vec3 alongB1;
+    vec3 alongB2;
+    vec3 alongZ;
+    prismTangents(p, place, alongB1, alongB2, alongZ);
+    vec3 here = p.Bottom0 + place.x * (p.Bottom1 - p.Bottom0) + place.y * (p.Bottom2 - p.Bottom0) +
+      place.z * alongZ;
+    vec3 move = solveThree(alongB1, alongB2, alongZ, point - here);
+    // Away from the prism lies nothing: without this a prism that turns over sends its steps anywhere.
+    place = clamp(place + move, vec3(-1.0), vec3(2.0));
+    if (max(abs(move.x), max(abs(move.y), abs(move.z))) < 1.0e-5)
+    {
+      break;
+    }
+  }
+  return place;
+}
+
+// A vector that is at right angles to the surface on which a function is constant, from the function's
+// change with b1, b2 and z. Any length; 0 where the function does not change.
+vec3 prismNormal(Prism p, vec3 place, vec3 gradient)
+{
+  vec3 alongB1;
+  vec3 alongB2;
+  vec3 alongZ;
+  prismTangents(p, place, alongB1, alongB2, alongZ);
+  vec3 across = gradient.x * cross(alongB2, alongZ) + gradient.y * cross(alongZ, alongB1) +
+    gradient.z * cross(alongB1, alongB2);
+  return dot(alongB1, cross(alongB2, alongZ)) < 0.0 ? -across : across;
+}
+
+// Outward normal of a face (as PrismSpan counts them) at a place on it. Any length.
+vec3 prismFaceNormal(Prism p, int face, vec3 place)
+{
+  // Inside, b0, b1, b2 and z are above 0, and z below 1.
+  vec3 outward = vec3(0.0, 0.0, face == 0 ? -1.0 : 1.0);
+  if (face == 2)
+  {
+    outward = vec3(0.0, -1.0, 0.0);
+  }
+  else if (face == 3)
+  {
+    outward = vec3(1.0, 1.0, 0.0);
+  }
+  else if (face == 4)
+  {
+    outward = vec3(-1.0, 0.0, 0.0);
+  }
+  return prismNormal(p, place, outward);
+}

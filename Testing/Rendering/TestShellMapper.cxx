@@ -1,0 +1,374 @@
+// Mesostructure of volumes in shells: each pixel's hit where closed forms say, no hole and no second
+// hit on closed meshes, the same picture in any order of prisms, eyes inside the shell, open edges.
+
+#include "MesoAOVChecks.h"
+#include "MesoExpectedMessages.h"
+#include "MesoTestVolume.h"
+
+#include "vtkMesoPrismShell.h"
+#include "vtkMesoShellMapper.h"
+
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkMath.h"
+#include "vtkTransform.h"
+
+#include <numeric>
+#include <random>
+
+namespace
+{
+class ShellMapper : public testing::Test
+{
+protected:
+  MesoTestScene Scene{ 120, 120 };
+  vtkNew<vtkMesoShellMapper> Mapper;
+  vtkNew<vtkMesoAOVPass> Pass;
+  MesoMesostructureOptions Options;
+
+  ShellMapper()
+  {
+    this->Scene.Actor->SetMapper(this->Mapper);
+    this->Scene.AddDirectionalLight(0.3, -0.5, -1.);
+    this->Options.Technique = MesoTechnique::ShellSDF;
+  }
+
+  ~ShellMapper() override { this->Pass->ReleaseGraphicsResources(this->Scene.Window); }
+
+  void Use(vtkPolyData* mesh, vtkImageData* volume, double thickness, double tilesU = 1.,
+    double tilesV = 1.)
+  {
+    vtkNew<vtkMesoPrismShell> shell;
+    shell->SetInputData(mesh);
+    shell->SetThickness(thickness);
+    shell->SetTiles(tilesU, tilesV);
+    shell->Update();
+    this->Options.Scale = thickness;
+    this->Options.Tiles = { tilesU, tilesV };
+    this->Mapper->SetOptions(this->Options);
+    this->Mapper->SetVolume(volume);
+    this->Mapper->SetInputData(shell->GetOutput());
+  }
+
+  int Check()
+  {
+    MesoCapture(this->Scene, this->Pass);
+    return MesoCheckEveryPixel(this->Pass);
+  }
+
+  float Value(const char* channel, int column, int row) const
+  {
+    return this->Pass->GetValue(channel, column, row);
+  }
+
+  /// Pixels that are not covered, with eight neighbours that are.
+  int Holes() const
+  {
+    int holes = 0;
+    for (int row = 1; row + 1 < this->Pass->GetHeight(); ++row)
+    {
+      for (int column = 1; column + 1 < this->Pass->GetWidth(); ++column)
+      {
+        int covered = 0;
+        for (int k = 0; k < 9; ++k)
+        {
+          covered += this->Value("coverage", column + k % 3 - 1, row + k / 3 - 1) > 0.f ? 1 : 0;
+        }
+        holes += covered == 8 && this->Value("coverage", column, row) == 0.f ? 1 : 0;
+      }
+    }
+    return holes;
+  }
+
+  std::vector<float> Numbers() const { return this->Pass->GetInterleaved(this->Pass->GetChannelNames()); }
+};
+
+/// The prisms of a shell in another order: their faces are drawn in it.
+vtkSmartPointer<vtkPolyData> Shuffled(vtkPolyData* shell)
+{
+  std::vector<vtkIdType> order(shell->GetNumberOfPolys());
+  std::iota(order.begin(), order.end(), vtkIdType(0));
+  std::shuffle(order.begin(), order.end(), std::mt19937(7));
+  vtkNew<vtkCellArray> faces;
+  for (vtkIdType cell : order)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    shell->GetPolys()->GetCellAtId(cell, count, points);
+    faces->InsertNextCell(count, points);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(shell);
+  result->SetPolys(faces);
+  return result;
+}
+}
+
+TEST_F(ShellMapper, HitsOfASlabAreExact)
+{
+  // Matter up to z = 0.4 of a shell of thickness 0.5 over the plane z = 0: its top is at 0.2.
+  this->Use(MesoTestScene::Shape("plane", { { "segments", { 3., 3. } }, { "size", { 4., 4. } } }),
+    MesoTestSlab(0.4), 0.5, 3., 3.);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  this->Scene.LookFrom(1.5, -1., 2.5);
+  this->Check();
+  int inside = 0;
+  for (int row = 0; row < 120; row += 3)
+  {
+    for (int column = 0; column < 120; column += 3)
+    {
+      // The pixel's ray.
+      const double half = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+      const double x = (2. * (column + 0.5) / 120. - 1.) * half;
+      const double y = (1. - 2. * (row + 0.5) / 120.) * half;
+      double eye[3];
+      double forward[3];
+      double right[3];
+      double up[3];
+      camera->GetPosition(eye);
+      camera->GetDirectionOfProjection(forward);
+      vtkMath::Cross(forward, camera->GetViewUp(), right);
+      vtkMath::Normalize(right);
+      vtkMath::Cross(right, forward, up);
+      double ray[3];
+      for (int k = 0; k < 3; ++k)
+      {
+        ray[k] = forward[k] + x * right[k] + y * up[k];
+      }
+      const double depth = (0.2 - eye[2]) / ray[2];
+      const double place[2] = { eye[0] + depth * ray[0], eye[1] + depth * ray[1] };
+      if (std::max(std::abs(place[0]), std::abs(place[1])) > 1.95)
+      {
+        continue;
+      }
+      ++inside;
+      ASSERT_EQ(this->Value("coverage", column, row), 1.f);
+      EXPECT_NEAR(this->Value("depth", column, row), depth, 2e-5);
+      EXPECT_NEAR(this->Value("texcoord.u", column, row), 3. * (place[0] / 4. + 0.5), 2e-5);
+      EXPECT_NEAR(this->Value("texcoord.v", column, row), 3. * (place[1] / 4. + 0.5), 2e-5);
+      EXPECT_NEAR(this->Value("relief", column, row), 0.6, 2e-5);
+      EXPECT_NEAR(this->Value("normal.z", column, row), 1., 1e-5);
+      EXPECT_EQ(this->Value("shadow.0", column, row), 0.f);
+    }
+  }
+  EXPECT_GT(inside, 500);
+}
+
+TEST_F(ShellMapper, ClosedMeshesHaveNoHole)
+{
+  for (const char* shape : { "torus", "sphere", "vase" })
+  {
+    this->Use(MesoTestScene::Shape(shape), MesoTestSlab(0.5), 0.1, 4., 4.);
+    for (const double angle : { 0.1, 0.7, 1.3, 2.2 })
+    {
+      this->Scene.LookFrom(4. * std::cos(angle), 2., 4. * std::sin(angle));
+      EXPECT_GT(this->Check(), 1000) << shape;
+      EXPECT_EQ(this->Holes(), 0) << shape << " " << angle;
+    }
+  }
+}
+
+TEST_F(ShellMapper, MatterOfTheWholeShellIsItsOutside)
+{
+  // Full to the top: every ray meets matter where it comes in, and shows the cut's normal.
+  this->Use(MesoTestScene::Shape("sphere"), MesoTestSlab(2.), 0.25);
+  this->Scene.LookFrom(0., 0., 5.);
+  EXPECT_GT(this->Check(), 1000);
+  EXPECT_EQ(this->Holes(), 0);
+  EXPECT_NEAR(this->Value("depth", 60, 60), 5. - 1.25, 5e-3);
+  EXPECT_NEAR(this->Value("relief", 60, 60), 0., 1e-5);
+  EXPECT_GT(this->Value("normal.z", 60, 60), 0.99);
+  // Empty: nothing.
+  this->Mapper->SetVolume(MesoTestSlab(-1.));
+  EXPECT_EQ(this->Check(), 0);
+}
+
+TEST_F(ShellMapper, AnyOrderOfPrismsGivesTheSamePicture)
+{
+  this->Use(MesoTestScene::Shape("torus"), MesoTestBars(), 0.2, 10., 4.);
+  this->Scene.LookFrom(1., 2., 3.5);
+  EXPECT_GT(this->Check(), 1000);
+  const std::vector<float> numbers = this->Numbers();
+  this->Mapper->SetInputData(Shuffled(this->Mapper->GetInput()));
+  this->Check();
+  // Where two prisms meet at their matter's surface both find it, to rounding: then the first that is drawn
+  // may stay. All else is equal to the last bit.
+  const std::vector<float> others = this->Numbers();
+  const std::size_t channels = this->Pass->GetChannelNames().size();
+  int pixels = 0;
+  for (std::size_t i = 0; i < numbers.size(); i += channels)
+  {
+    if (!std::equal(&numbers[i], &numbers[i] + channels, &others[i]))
+    {
+      ++pixels;
+      EXPECT_EQ(numbers[i], others[i]); // coverage
+      EXPECT_NEAR(numbers[i + 1], others[i + 1], 1e-4);
+    }
+  }
+  EXPECT_LT(pixels, 10);
+}
+
+TEST_F(ShellMapper, AnEyeInTheShellSeesWhatIsBeforeIt)
+{
+  // The shell is 1 thick, matter fills 0.3 of it, and the eye is at 0.6 over the middle.
+  this->Use(MesoTestScene::Shape("plane", { { "segments", { 4., 4. } }, { "size", { 8., 8. } } }),
+    MesoTestSlab(0.3), 1., 8., 8.);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  for (const double near : { 0.01, 0.2 })
+  {
+    camera->SetPosition(0.1, -0.2, 0.6);
+    camera->SetFocalPoint(0.1, 1., 0.);
+    camera->SetViewUp(0., 0., 1.);
+    camera->SetClippingRange(near, 50.);
+    EXPECT_EQ(this->Check(), 120 * 120) << near;
+    // Straight ahead: down by 0.3 on a way that falls by 0.6 in sqrt(1.2^2 + 0.6^2).
+    EXPECT_NEAR(0.5 * (this->Value("depth", 60, 59) + this->Value("depth", 59, 60)),
+      0.5 * std::hypot(1.2, 0.6), 0.02);
+    EXPECT_NEAR(this->Value("relief", 60, 60), 0.7, 1e-4);
+  }
+  // In matter all is covered, at the near plane.
+  camera->SetPosition(0.1, -0.2, 0.1);
+  camera->SetFocalPoint(0.1, 1., 0.1);
+  camera->SetClippingRange(0.01, 50.);
+  EXPECT_EQ(this->Check(), 120 * 120);
+  EXPECT_NEAR(this->Value("depth", 60, 60), 0.01, 1e-4);
+  // Parallel views are cut by the near plane likewise.
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5);
+  camera->SetPosition(0., 0., 0.6);
+  camera->SetFocalPoint(0., 0., 0.);
+  camera->SetViewUp(0., 1., 0.);
+  camera->SetClippingRange(0.1, 50.);
+  EXPECT_EQ(this->Check(), 120 * 120);
+  EXPECT_NEAR(this->Value("depth", 60, 60), 0.3, 1e-4);
+}
+
+TEST_F(ShellMapper, AnOpenEdgeShowsTheCut)
+{
+  // A plane of size 2 seen from its side, at the height of the shell: its fin at y = -1 shows matter up
+  // to 0.4 of 0.5, cut.
+  this->Use(MesoTestScene::Shape("plane", { { "segments", { 4., 4. } }, { "size", { 2., 2. } } }),
+    MesoTestSlab(0.8), 0.5);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0., -5., 0.25);
+  camera->SetFocalPoint(0., 0., 0.25);
+  camera->SetViewUp(0., 0., 1.);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1.2);
+  camera->SetClippingRange(0.1, 20.);
+  EXPECT_NEAR(this->Check(), 100 * 20, 2 * 120);
+  EXPECT_NEAR(this->Value("depth", 60, 60), 4., 1e-4);
+  EXPECT_NEAR(this->Value("normal.y", 60, 60), -1., 1e-4);
+  EXPECT_NEAR(this->Value("relief", 60, 60), 0.5, 0.03);
+}
+
+TEST_F(ShellMapper, MirroredAndMovedNodesShowTheSame)
+{
+  this->Use(MesoTestScene::Shape("torus"), MesoTestBars(), 0.2, 10., 4.);
+  this->Scene.LookFrom(0., 1.5, 4.);
+  const int covered = this->Check();
+  const std::vector<float> numbers = this->Numbers();
+  // A mirror in x turns winding; vtkReverseSense is the scene builder's work, here the corners' order.
+  vtkNew<vtkTransform> far;
+  far->Translate(2000., 1000., -500.);
+  this->Scene.Actor->SetUserTransform(far);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  camera->SetPosition(2000., 1001.5, -496.);
+  camera->SetFocalPoint(2000., 1000., -500.);
+  this->Scene.Renderer->ResetCameraClippingRange();
+  EXPECT_NEAR(this->Check(), covered, covered / 100);
+  EXPECT_LT(this->Holes(), covered / 100);
+}
+
+TEST_F(ShellMapper, LightIsBlockedByMatterAbove)
+{
+  // Light from straight above; a bar along y, over one along x, shades it.
+  this->Scene.Renderer->RemoveAllLights();
+  this->Scene.AddDirectionalLight(0., 0., -1.);
+  this->Use(MesoTestScene::Shape("plane", { { "size", { 2., 2. } } }), MesoTestBars(), 1.);
+  // From aside, so that the part of the lower bar below the upper one is seen.
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  camera->SetPosition(-3., -1., 2.);
+  camera->SetFocalPoint(0., 0., 0.3);
+  camera->SetViewUp(0., 0., 1.);
+  this->Scene.Renderer->ResetCameraClippingRange();
+  this->Check();
+  int shaded = 0;
+  int lit = 0;
+  for (int row = 0; row < 120; ++row)
+  {
+    for (int column = 0; column < 120; ++column)
+    {
+      const double z = 1. - this->Value("relief", column, row);
+      const bool low = this->Value("coverage", column, row) > 0.f && z < 0.5 &&
+        this->Value("normal.z", column, row) > 0.2f;
+      if (low)
+      {
+        // The upper bar is above u in [0.4, 0.6].
+        const double u = this->Value("texcoord.u", column, row);
+        const bool below = std::abs(u - 0.5) < 0.09;
+        if (below || std::abs(u - 0.5) > 0.11)
+        {
+          EXPECT_EQ(this->Value("shadow.0", column, row), below ? 1.f : 0.f) << u << " " << z;
+          ++(below ? shaded : lit);
+        }
+      }
+    }
+  }
+  EXPECT_GT(shaded, 20);
+  EXPECT_GT(lit, 100);
+  // Without the effect only what turns away is dark.
+  this->Options.Effects.Auto = false;
+  this->Options.Effects.Named =
+    MesoEffectsOfTechnique(MesoTechnique::ShellSDF).Without({ MesoEffect::SelfShadow });
+  this->Mapper->SetOptions(this->Options);
+  this->Check();
+  int dark = 0;
+  for (int pixel = 0; pixel < 120 * 120; ++pixel)
+  {
+    const bool up = this->Value("normal.z", pixel % 120, pixel / 120) > 0.4;
+    const bool blocked = this->Value("shadow.0", pixel % 120, pixel / 120) > 0.f;
+    dark += up && blocked ? 1 : 0; // where the two bars meet, a facet's normal may be any
+  }
+  EXPECT_LT(dark, 5);
+}
+
+TEST_F(ShellMapper, EveryCombinationIsDrawn)
+{
+  this->Scene.LookFrom(1., 2., 3.5);
+  const auto torus = MesoTestScene::Shape("torus", { { "rings", { 16. } }, { "sides", { 8. } } });
+  const auto look = [&](const char* what)
+  {
+    this->Use(torus, MesoTestBars(), 0.2, 10., 4.);
+    EXPECT_GT(this->Check(), 500) << what;
+    this->Scene.Window->Render();
+  };
+  this->Options.Quality = MesoQuality::Draft;
+  this->Options.Segments = 3;
+  look("draft, three segments");
+  this->Scene.Actor->GetProperty()->SetSpecular(0.5);
+  this->Scene.Renderer->RemoveAllLights();
+  look("no light");
+  this->Scene.AddHeadlight();
+  this->Options.Effects.Auto = false;
+  this->Options.Effects.Named =
+    MesoEffectsOfTechnique(MesoTechnique::ShellSDF).Without({ MesoEffect::Shading });
+  look("headlight, specular, no shading");
+  this->Options.Effects.Auto = true;
+  this->Scene.Actor->GetProperty()->SetInterpolationToPBR();
+  this->Scene.Actor->GetProperty()->EdgeVisibilityOn();
+  look("PBR, edges");
+}
+
+TEST_F(ShellMapper, WithoutAShellItSaysSo)
+{
+  MesoExpectedMessages expected("no shell of prisms");
+  this->Use(MesoTestScene::Shape("torus"), MesoTestBars(), 0.2);
+  vtkNew<vtkPolyData> bare;
+  bare->ShallowCopy(this->Mapper->GetInput());
+  bare->SetFieldData(vtkNew<vtkFieldData>());
+  this->Mapper->SetInputData(bare);
+  this->Scene.LookFrom(1., 2., 3.5);
+  this->Scene.Window->Render();
+  EXPECT_NE(this->Mapper->GetWhyPlain(), "");
+}
