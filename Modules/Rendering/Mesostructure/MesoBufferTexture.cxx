@@ -53,7 +53,7 @@ void MesoBufferTexture::Activate()
 
 void MesoBufferTexture::SetUniform(vtkShaderProgram* program, const char* name)
 {
-  if (program->IsUniformUsed(name))
+  if (this->Texture->GetHandle() != 0 && program->IsUniformUsed(name))
   {
     program->SetUniformi(name, this->Texture->GetTextureUnit());
   }

@@ -257,7 +257,7 @@ void vtkMesoDisplacementMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor*
     this->Superclass::RenderPieceDraw(renderer, actor);
     return;
   }
-  if (this->ReadyToPlaceVertices(renderer, actor))
+  if (!this->Inside->Pieces.Groups.empty() && this->ReadyToPlaceVertices(renderer, actor))
   {
     this->Inside->Buffers.Draw(this->LastBoundBO->Program, this->Inside->Pieces);
   }

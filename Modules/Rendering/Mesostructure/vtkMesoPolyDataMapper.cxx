@@ -286,7 +286,7 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   }
   // The same in all passes of a frame with shadows, so that none undoes another's. A technique that
   // places the vertices reads no attributes.
-  if (shape.Diced)
+  if (this->PlacesVertices(actor))
   {
     this->Attributes->Clear(this);
   }
