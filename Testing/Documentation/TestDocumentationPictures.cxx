@@ -55,6 +55,7 @@ const Picture Pictures[] = {
   { "DepthCylinders", "Documentation/DepthCylinders.json", "400x300" },
   { "DisplacementLevels", "Documentation/DisplacementLevels.json", "320x240" },
   { "ReferenceDemo", "demo.json", "320x240", "reference" },
+  { "GeometryImageCube", "Documentation/GeometryImageCube.json", "320x240" },
   { "HeightFieldGlobe", "Documentation/HeightFieldGlobe.json", "400x300" },
   { "HeightFieldPlane", "Documentation/HeightFieldPlane.json", "400x300" },
   { "ReliefCloseUpBilinear", "Documentation/ReliefCloseUpBilinear.json", "320x240" },

@@ -13,7 +13,7 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "geometry-image", "slices" };
+const std::vector<std::string> LaterTechniques = { "slices" };
 
 constexpr double MostFactors = 12.;
 
@@ -294,7 +294,7 @@ void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
   value.With("baked",
     [&](const MesoSceneValue& file)
     {
-      if (!tabled)
+      if (!tabled && options.Technique != MesoTechnique::GeometryImage)
       {
         file.Fail(technique + " has no use for a baked table");
       }
@@ -479,12 +479,18 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("facet_pixels",
     [&](const MesoSceneValue& pixels)
     {
-      if (options.Technique != MesoTechnique::Displacement)
+      if (options.Technique != MesoTechnique::Displacement &&
+        options.Technique != MesoTechnique::GeometryImage)
       {
         pixels.Fail("technique " + name + " does not cut by pixels");
       }
       options.FacetPixels = pixels.ToNumber(MesoSceneRanges::NotNegative);
     });
+  if (options.Technique == MesoTechnique::GeometryImage)
+  {
+    value.Refuse({ "height_map", "depth_map", "relief_map" },
+      "technique geometry-image draws the mesh itself, without relief");
+  }
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });

@@ -1,6 +1,7 @@
 #include "MesoSceneBuilder.h"
 
 #include "MesoAlgorithmRun.h"
+#include "MesoBakedFile.h"
 #include "MesoBumpMaps.h"
 #include "MesoHeightMap.h"
 #include "MesoMapInput.h"
@@ -20,6 +21,8 @@
 #include "vtkMesoBumpMapper.h"
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoDisplacementMapper.h"
+#include "vtkMesoGeometryImage.h"
+#include "vtkMesoGeometryImageMapper.h"
 #include "vtkMesoImageReader.h"
 #include "vtkMesoLoopSubdivision.h"
 #include "vtkMesoMeshReader.h"
@@ -153,6 +156,12 @@ void CheckGeometryEffects(const MesoMesostructureOptions& options, const std::st
       "no "
       "effect at all");
   }
+}
+
+/// Texels along a side of the geometry image that a scene's mesh is made into.
+int ImageSizeOf(MesoQuality quality)
+{
+  return static_cast<int>(256. * MesoFacetsPerTexel(quality));
 }
 
 std::array<double, 16> Multiply(
@@ -343,6 +352,12 @@ void MesoSceneBuilder::AddScalars(const MesoSceneMaterial& material, const Objec
   const std::string& inScene, vtkRenderer* renderer)
 {
   object.Mapper->ScalarVisibilityOff();
+  if (material.ColorBy && object.Options.Technique == MesoTechnique::GeometryImage)
+  {
+    throw MesoInputError(inScene +
+      ".color_by: technique geometry-image draws positions and normals, "
+      "and has no numbers to color by");
+  }
   if (material.ColorBy)
   {
     MesoSetSurfaceColors(*material.ColorBy, object.Mesh, object.Mapper);
@@ -386,6 +401,32 @@ MesoNormals MesoSceneBuilder::ReadNormals(
     }
   }
   return normals;
+}
+
+vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeGeometryImage(
+  const Object& object, const std::string& baked, const std::string& inScene)
+{
+  if (!baked.empty())
+  {
+    const MesoBaked file = MesoReadBaked(baked, "geometry-image");
+    std::string problem;
+    if (vtkMesoGeometryImage::NumberOfLevelsOf(file.Table, problem) == 0)
+    {
+      throw MesoInputError(inScene + ".mesostructure.baked: " + baked + ": " + problem);
+    }
+    return file.Table;
+  }
+  vtkNew<vtkMesoGeometryImage> image;
+  image->SetInputData(object.Mesh);
+  image->SetSize(ImageSizeOf(object.Options.Quality));
+  MesoRunAlgorithm(image, inScene + ".mesh", this->Warnings);
+  if (image->GetNumberOfOverlaps() > 0)
+  {
+    this->Warnings.push_back(inScene + ".mesh: several parts of the mesh share " +
+      std::to_string(image->GetNumberOfOverlaps()) +
+      " texels of its geometry image, which shows one of them");
+  }
+  return image->GetOutput();
 }
 
 void MesoSceneBuilder::MakeMapper(
@@ -468,6 +509,12 @@ void MesoSceneBuilder::MakeMapper(
       displacement->SetHorizonMap(horizons, scale);
     }
     object.Mapper = displacement;
+  }
+  else if (object.Options.Technique == MesoTechnique::GeometryImage)
+  {
+    vtkNew<vtkMesoGeometryImageMapper> mapper;
+    mapper->SetGeometryImage(this->MakeGeometryImage(object, node.Baked, inScene));
+    object.Mapper = mapper;
   }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
   {

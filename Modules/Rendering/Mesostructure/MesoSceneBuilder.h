@@ -63,6 +63,9 @@ private:
   /// The technique's mapper with its maps, and the mesh that it draws.
   void MakeMapper(const MesoSceneNode& node, Object& object, const MesoNormals& normals,
     const std::string& inScene);
+  /// Read where a baked file is named, else made of the object's mesh.
+  vtkSmartPointer<vtkImageData> MakeGeometryImage(
+    const Object& object, const std::string& baked, const std::string& inScene);
   /// Colours, contour lines and a scalar bar of the object's numbers.
   void AddScalars(const MesoSceneMaterial& material, const Object& object,
     const std::string& inScene, vtkRenderer* renderer);
