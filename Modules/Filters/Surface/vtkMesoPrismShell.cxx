@@ -42,8 +42,8 @@ MesoVector MiddleOf(const std::vector<MesoPrism>& prisms)
 }
 
 /// Points of all prisms with their arrays.
-void WritePoints(
-  const std::vector<MesoPrism>& prisms, const MesoPrismShellInput& input, int type, vtkPolyData* output)
+void WritePoints(const std::vector<MesoPrism>& prisms, const MesoPrismShellInput& input, int type,
+  vtkPolyData* output)
 {
   std::vector<MesoVector> normals;
   std::vector<std::array<double, 2>> coordinates;
@@ -59,8 +59,7 @@ void WritePoints(
     {
       for (int k = 0; k < 3; ++k)
       {
-        const MesoVector place =
-          MesoSum(prisms[i].Bottom[k], MesoScaled(prisms[i].Rise[k], z));
+        const MesoVector place = MesoSum(prisms[i].Bottom[k], MesoScaled(prisms[i].Rise[k], z));
         points->SetPoint(next++, place.data());
         normals.push_back(input.Normals[prisms[i].Points[k]]);
         coordinates.push_back(input.Coordinates[prisms[i].Points[k]]);
@@ -142,9 +141,8 @@ void WriteTable(
   centre->SetName("MesoPrismCentre");
   centre->SetNumberOfComponents(3);
   centre->InsertNextTuple(middle.data());
-  for (vtkDataArray* array :
-    { static_cast<vtkDataArray*>(table), static_cast<vtkDataArray*>(centre),
-      static_cast<vtkDataArray*>(triangles) })
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(table),
+         static_cast<vtkDataArray*>(centre), static_cast<vtkDataArray*>(triangles) })
   {
     output->GetFieldData()->AddArray(array);
   }
@@ -181,7 +179,8 @@ void vtkMesoPrismShell::Execute(vtkPolyData* input, vtkPolyData* output)
   {
     throw std::invalid_argument("Tiles must be more than 0");
   }
-  if (input->GetNumberOfPoints() == 0 || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  if (input->GetNumberOfPoints() == 0 ||
+    input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     return;
   }

@@ -14,7 +14,7 @@ vtkDataArray* DepthOf(vtkImageData* volume)
 {
   vtkDataArray* depth = volume->GetFieldData()->GetArray("MesoVolumeDepth");
   return depth && depth->GetNumberOfValues() == 1 && depth->GetComponent(0, 0) > 0. ? depth
-                                                                                     : nullptr;
+                                                                                    : nullptr;
 }
 }
 
@@ -29,7 +29,8 @@ std::string MesoVolumeMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
   if (!distances || distances->GetDataType() != VTK_FLOAT ||
     distances->GetNumberOfComponents() != 1 || !DepthOf(this->GetImage()))
   {
-    return "the volume must have the arrays MesoSignedDistance, one component of float a voxel, and "
+    return "the volume must have the arrays MesoSignedDistance, one component of float a voxel, "
+           "and "
            "MesoVolumeDepth";
   }
   int size[3];
@@ -39,8 +40,8 @@ std::string MesoVolumeMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
   {
     if (size[axis] > limit)
     {
-      return "the volume has " + std::to_string(size[axis]) + " voxels in a row, and this device takes " +
-        std::to_string(limit);
+      return "the volume has " + std::to_string(size[axis]) +
+        " voxels in a row, and this device takes " + std::to_string(limit);
     }
   }
   vtkTextureObject* texture = this->Texture();

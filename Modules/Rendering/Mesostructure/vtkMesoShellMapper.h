@@ -11,7 +11,7 @@
  *
  * The options' Technique says how the volume is searched:
  *
- * - ShellSDF: along its signed distance, by steps as long as that is (Hart1996). The quality says how
+ * - ShellSDF: along its signed distance, by steps as long as that is (sphere tracing). The quality says how
  *   short the shortest steps are: 1, 1/2, 1/4, 1/8 voxel.
  *
  * - GDM: by one look-up of the distance to matter in a Table of it (vtkMesoGDMTable) for each piece of a
@@ -25,7 +25,7 @@
  * The options' Scale is the shell's thickness, which the input has already; Effects other than shading,
  * self-shadow and those of shadow maps are shown together or not at all.
  *
- * Sources: Wang et al., "Generalized Displacement Maps", EGSR 2004; Hart, "Sphere Tracing", 1996.
+ * Sources: Wang et al., "Generalized Displacement Maps", EGSR 2004; for sphere tracing Hart1996 of Documentation/Techniques/References.md.
  *
  * @sa vtkMesoPrismShell, vtkMesoPolyDataMapper
  */
