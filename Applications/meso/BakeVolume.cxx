@@ -58,7 +58,7 @@ void BakeVolume::AddOptions(CLI::App& command)
     "--size", [this](const std::string& text) { this->Volume.Size = ParseVoxels(text); },
     "WxHxD: voxels (default: 64x64x32; of a volume file its own up to that)");
   command.add_option("--threshold", this->Volume.Threshold,
-    "The number at the surface (default: halfway between the file's least and greatest)");
+    "The number at the surface (default: what parts the numbers best, Otsu)");
   AddChoice(command, "--solid", "above", "below", this->Volume.SolidBelow,
     "The side of the threshold where the solid is: above (default) or below");
   command.add_option_function<std::string>(
@@ -111,7 +111,7 @@ const MesoSceneVolume& BakeVolume::Resolve()
 vtkSmartPointer<vtkImageData> BakeVolume::Read() const
 {
   std::vector<std::string> warnings;
-  const auto volume = MesoReadVolume(this->Volume, this->Input, warnings);
+  const auto volume = MesoReadVolume(this->Volume, "INPUT", warnings);
   for (const std::string& warning : warnings)
   {
     std::cerr << "meso: warning: " << warning << "\n";

@@ -17,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -43,7 +44,9 @@ std::string BytesOfFiles(const std::vector<MesoSceneNode>& nodes)
   for (const MesoSceneNode& node : nodes)
   {
     for (const std::string& name :
-      { node.Mesh ? node.Mesh->File : "", node.Map ? node.Map->File : "", node.Material.ColorMap })
+      { node.Mesh ? node.Mesh->File : "", node.Map ? node.Map->File : "",
+        node.Volume ? node.Volume->File : "", node.Baked, node.Material.ColorMap,
+        node.Material.NormalMap })
     {
       bytes += "\n" + (name.empty() ? "" : BytesOf(name));
     }
@@ -158,12 +161,14 @@ BenchScene::BenchScene(
   , Scene(MesoReadScene(file))
 {
   this->Content = BytesOf(file) + BytesOfFiles(this->Scene.Nodes);
+  std::copy_if(settings.Arms.begin(), settings.Arms.end(), std::back_inserter(this->Arms),
+    [this](const BenchArm& arm) { return CanDraw(this->Scene, arm.Technique); });
 }
 
 double BenchScene::Steps() const
 {
   return StepsOfTruth * (HasSmoothSurface(this->Scene) ? 2. : 1.) +
-    (1. + StepsOfTiming) * double(this->Settings.Arms.size() + this->AblationArms().size());
+    (1. + StepsOfTiming) * double(this->Arms.size() + this->AblationArms().size());
 }
 
 std::string BenchScene::KeyOfScene() const
@@ -383,7 +388,7 @@ bool BenchScene::Run(BenchResults& results, BenchProgress& progress) const
   floor.Build(WithTechnique(this->Scene, MesoTechnique::Plain, std::nullopt), renderer);
   SetVisible(floor, false);
 
-  this->RunArms(this->Settings.Arms, floor, window, renderer, truths, results, progress);
+  this->RunArms(this->Arms, floor, window, renderer, truths, results, progress);
   this->RunArms(this->AblationArms(), floor, window, renderer, truths, results, progress);
   results.Save();
   return true;
@@ -397,7 +402,7 @@ std::vector<BenchArm> BenchScene::AblationArms() const
   }
   // One quality of each technique tells the effects' shares: medium, else the last there is.
   std::map<MesoTechnique, BenchArm> chosen;
-  for (const BenchArm& choice : this->Settings.Arms)
+  for (const BenchArm& choice : this->Arms)
   {
     const auto before = chosen.find(choice.Technique);
     if (choice.Quality && (before == chosen.end() || before->second.Quality != MesoQuality::Medium))

@@ -69,6 +69,7 @@ private:
     BenchProgress& progress) const;
 
   const BenchSettings& Settings;
+  std::vector<BenchArm> Arms; ///< those of the settings that draw what the scene holds
   std::string File;
   std::string SceneName;
   std::string Device;

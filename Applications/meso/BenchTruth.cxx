@@ -11,13 +11,35 @@
 
 namespace
 {
+/// Whether a technique draws what a node has beside its mesh.
+bool Draws(const MesoSceneNode& node, MesoTechnique technique)
+{
+  if (technique == MesoTechnique::Plain)
+  {
+    return node.Map || node.Volume;
+  }
+  if (MesoUsesVolume(technique))
+  {
+    return node.Volume.has_value();
+  }
+  return MesoUsesHeightMap(technique) ? node.Map.has_value()
+                                      : node.Mesostructure.Technique == technique;
+}
+
+bool AnyDraws(const std::vector<MesoSceneNode>& nodes, MesoTechnique technique)
+{
+  return std::any_of(nodes.begin(), nodes.end(),
+    [technique](const MesoSceneNode& node)
+    { return Draws(node, technique) || AnyDraws(node.Children, technique); });
+}
+
 void SetTechnique(std::vector<MesoSceneNode>& nodes, MesoTechnique technique,
   std::optional<MesoQuality> quality, std::optional<MesoSearch> search)
 {
   for (MesoSceneNode& node : nodes)
   {
     MesoMesostructureOptions& options = node.Mesostructure;
-    if (node.Map)
+    if (Draws(node, technique))
     {
       options.Technique = technique;
       options.Effects = MesoEffectChoice();
@@ -32,27 +54,27 @@ void SetTechnique(std::vector<MesoSceneNode>& nodes, MesoTechnique technique,
   }
 }
 
-/// Whether every node with a map has a model that can be solved.
+/// Whether every node with a map or a volume has a model that can be solved.
 bool HaveModels(const std::vector<MesoSceneNode>& nodes)
 {
   return std::all_of(nodes.begin(), nodes.end(),
     [](const MesoSceneNode& node)
     {
-      return (!node.Map || MesoTechniqueModel::HasModel(node.Mesostructure)) &&
+      return ((!node.Map && !node.Volume) || MesoTechniqueModel::HasModel(node.Mesostructure)) &&
         HaveModels(node.Children);
     });
 }
 
-void CollectMeshes(
-  const std::vector<MesoSceneNode>& nodes, std::vector<const MesoSceneMesh*>& meshes)
+void CollectNodes(
+  const std::vector<MesoSceneNode>& nodes, std::vector<const MesoSceneNode*>& withMesh)
 {
   for (const MesoSceneNode& node : nodes)
   {
     if (node.Mesh)
     {
-      meshes.push_back(&*node.Mesh);
+      withMesh.push_back(&node);
     }
-    CollectMeshes(node.Children, meshes);
+    CollectNodes(node.Children, withMesh);
   }
 }
 
@@ -72,16 +94,17 @@ const char* MesoName(BenchSurface surface)
 
 bool HasSmoothSurface(const MesoScene& scene)
 {
-  std::vector<const MesoSceneMesh*> meshes;
-  CollectMeshes(scene.Nodes, meshes);
+  std::vector<const MesoSceneNode*> nodes;
+  CollectNodes(scene.Nodes, nodes);
   bool curved = false;
-  for (const MesoSceneMesh* mesh : meshes)
+  for (const MesoSceneNode* node : nodes)
   {
-    if (!mesh->File.empty())
+    // A volume's shell is made of the mesh's triangles, whatever they stand for.
+    if (!node->Mesh->File.empty() || node->Volume || node->Part)
     {
       return false;
     }
-    const MesoShape shape(mesh->Shape, mesh->Parameters);
+    const MesoShape shape(node->Mesh->Shape, node->Mesh->Parameters);
     if (!shape.IsFlat() && !shape.HasBends())
     {
       return false;
@@ -89,6 +112,11 @@ bool HasSmoothSurface(const MesoScene& scene)
     curved = curved || !shape.IsFlat();
   }
   return curved;
+}
+
+bool CanDraw(const MesoScene& scene, MesoTechnique technique)
+{
+  return technique == MesoTechnique::Plain || AnyDraws(scene.Nodes, technique);
 }
 
 MesoScene WithTechnique(const MesoScene& scene, MesoTechnique technique,
@@ -102,8 +130,9 @@ MesoScene WithTechnique(const MesoScene& scene, MesoTechnique technique,
 void WriteTruth(const MesoScene& scene, BenchSurface surface, const std::array<int, 2>& size,
   const std::string& stem)
 {
-  // Any technique that draws maps stands for the displaced surface.
-  const MesoReference reference(WithTechnique(scene, MesoTechnique::Relief, std::nullopt),
+  // Any technique that draws maps stands for the displaced surface, and one for volumes.
+  const MesoScene displaced = WithTechnique(scene, MesoTechnique::Relief, std::nullopt);
+  const MesoReference reference(WithTechnique(displaced, MesoTechnique::ShellSDF, std::nullopt),
     surface == BenchSurface::Mesh ? MesoReference::Surface::Mesh : MesoReference::Surface::Smooth);
   const MesoReferenceResult result = reference.Render(size[0], size[1]);
   const MesoExrImage& aovs = result.AOVs;

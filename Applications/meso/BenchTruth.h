@@ -16,12 +16,15 @@ enum class BenchSurface
 /// "mesh" or "smooth".
 const char* MesoName(BenchSurface surface);
 
-/// Whether a scene has a smooth surface other than its meshes: all meshes are built-in shapes, and
-/// one of them is curved.
+/// Whether a scene has a smooth surface other than its meshes: all meshes are whole built-in shapes
+/// without volumes, and one of them is curved.
 bool HasSmoothSurface(const MesoScene& scene);
 
-/// The scene with every node that has a map drawn by this technique, with all its effects, and by this
-/// search.
+/// Whether a scene holds what a technique draws: a map, a volume, or a node of its own.
+bool CanDraw(const MesoScene& scene, MesoTechnique technique);
+
+/// The scene with every node that holds what a technique draws drawn by it, with all its effects, and by
+/// this search.
 MesoScene WithTechnique(const MesoScene& scene, MesoTechnique technique,
   std::optional<MesoQuality> quality, std::optional<MesoSearch> search = {});
 

@@ -5,6 +5,7 @@
 #include "BakeHorizon.h"
 #include "BakeNormal.h"
 #include "BakeSearchMap.h"
+#include "BakeVDM.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,6 +18,7 @@ CommandBake::CommandBake(CLI::App& app)
   this->Kinds.push_back(std::make_unique<BakeNormal>());
   this->Kinds.push_back(std::make_unique<BakeCone>());
   this->Kinds.push_back(std::make_unique<BakeMaximumMip>());
+  this->Kinds.push_back(std::make_unique<BakeVDM>());
   this->Command->require_subcommand(0, 1); // so that a mistyped kind is named
   for (const auto& kind : this->Kinds)
   {

@@ -2,6 +2,7 @@
 
 #include "InfoPolarity.h"
 #include "InfoScene.h"
+#include "InfoVolume.h"
 #include "MesoBakedFile.h"
 #include "MesoDemFile.h"
 #include "MesoFileBytes.h"
@@ -124,15 +125,6 @@ Json JsonOfMesh(const std::string& fileName)
   return json;
 }
 
-Json JsonOfTiling(const MesoTilingReport& tiling)
-{
-  Json json;
-  json["tiles"] = tiling.Verdict();
-  json["step_across_border"] = tiling.AcrossBorder;
-  json["step_inside"] = tiling.Inside;
-  return json;
-}
-
 Json JsonOfImage(const std::string& fileName)
 {
   const MesoImageReport report = MesoReportImage(fileName);
@@ -240,6 +232,7 @@ nlohmann::ordered_json JsonOfFile(const std::string& fileName)
   }
   return extension == ".json" ? JsonOfScene(fileName)
     : extension == ".dem"     ? JsonOfDem(fileName)
+    : IsVolume(fileName)      ? JsonOfVolume(fileName)
     : extension == ".vti"     ? JsonOfBaked(fileName)
                               : JsonOfImage(fileName);
 }

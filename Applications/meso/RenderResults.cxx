@@ -131,7 +131,7 @@ SceneSize SizeOfScene(const MesoSceneBuilder& builder)
   for (const auto& object : builder.GetObjects())
   {
     size.GpuBytes += object.Mapper->GetGPUBytes();
-    size.Triangles += object.Mapper->GetInput()->GetNumberOfPolys();
+    size.Triangles += object.Mapper->GetNumberOfTrianglesDrawn();
   }
   return size;
 }

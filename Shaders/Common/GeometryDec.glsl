@@ -1,4 +1,9 @@
 // Geometry stage (edges, wide lines): hands the vertices' outputs on.
+#ifdef MESO_DICED
+flat in int mesoCellVSOutput[];
+flat out int mesoCellGSOutput;
+#endif
+#ifdef MESO_SURFACE
 in vec3 mesoPositionVCVSOutput[];
 in vec2 mesoTCoordVSOutput[];
 in vec3 mesoNormalVCVSOutput[];
@@ -30,4 +35,5 @@ in vec3 mesoQuadricVSOutput[];
 in vec3 mesoMetricVSOutput[];
 out vec3 mesoQuadricGSOutput;
 out vec3 mesoMetricGSOutput;
+#endif
 #endif

@@ -1,3 +1,7 @@
+#ifdef MESO_DICED
+    mesoCellGSOutput = mesoCellVSOutput[i];
+#endif
+#ifdef MESO_SURFACE
     mesoPositionVCGSOutput = mesoPositionVCVSOutput[i];
     mesoTCoordGSOutput = mesoTCoordVSOutput[i];
     mesoNormalVCGSOutput = mesoNormalVCVSOutput[i];
@@ -18,4 +22,5 @@
 #ifdef MESO_CURVATURE
     mesoQuadricGSOutput = mesoQuadricVSOutput[i];
     mesoMetricGSOutput = mesoMetricVSOutput[i];
+#endif
 #endif

@@ -54,3 +54,13 @@ float reliefOccludes(HeightPath path, out int fetches)
   return occludedLinear(path, pathSteps(path, MESO_LINEAR_STEPS), fetches);
 #endif
 }
+
+// What the search found; hit.RayLength is the caller's.
+void takeSearch(HeightHit found, inout MesoSurfaceHit hit)
+{
+  hit.MapCoord = found.MapCoord;
+  hit.Relief = found.Relief;
+  hit.Fetches = found.Fetches;
+  hit.TexelReads = found.TexelReads;
+  hit.Iterations = found.Iterations;
+}

@@ -1,6 +1,6 @@
-// The contract of a technique for those that search a height map: what they share around their
-// search. Stands on Common/ReliefFrame, Kernels/HeightField and Common/ReliefSearch. The technique
-// itself defines the three functions that are declared here.
+// The contract of a technique for those that look for a height map's relief along a ray: what they share
+// around their way to it. Stands on Common/ReliefFrame and Kernels/HeightField. The technique itself defines
+// the three functions that are declared here.
 
 // Follow the view ray to the hit's RayLength, MapCoord, Relief, Fetches and Iterations, or to a miss.
 // Where no ray can be followed the hit stays the base, and the result is false.
@@ -15,16 +15,6 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
 // A ray that runs further than this many tiles in the relief grazes the surface so flatly that a
 // float no longer tells neighbouring texels apart: the base itself is drawn.
 const float MESO_MAX_TILES = 1.0e5;
-
-// What the search found; hit.RayLength is the caller's.
-void takeSearch(HeightHit found, inout MesoSurfaceHit hit)
-{
-  hit.MapCoord = found.MapCoord;
-  hit.Relief = found.Relief;
-  hit.Fetches = found.Fetches;
-  hit.TexelReads = found.TexelReads;
-  hit.Iterations = found.Iterations;
-}
 
 MesoSurfaceHit traceSurface(MesoFragment f)
 {

@@ -3,15 +3,25 @@
 //   MESO_CURVATURE  and its quadric
 //   MESO_DISPLACED  the mesh itself is the detail
 //   MESO_PRISMS     the mesh is a shell of prisms
+//   MESO_DICED      the technique places the vertices: what else are attributes are its variables
+#ifndef MESO_DICED
 in vec2 mesoTCoord;
 in vec3 mesoNormal;
+#ifdef MESO_DISPLACED
+in float mesoRelief; // depth in [0,1]
+#endif
+#ifdef MESO_FRAME
+in vec3 mesoTangent;
+in vec3 mesoBitangent;
+in vec2 mesoTileScale;
+#endif
+#endif
 uniform mat4 mesoMCVCMatrix;
 uniform mat3 mesoNormalMatrix;
 out vec3 mesoPositionVCVSOutput;
 out vec2 mesoTCoordVSOutput;
 out vec3 mesoNormalVCVSOutput;
 #ifdef MESO_DISPLACED
-in float mesoRelief; // depth in [0,1]
 out float mesoReliefVSOutput;
 #endif
 #ifdef MESO_PRISMS
@@ -19,9 +29,6 @@ in float mesoPrism; // number of the prism
 flat out float mesoPrismVSOutput;
 #endif
 #ifdef MESO_FRAME
-in vec3 mesoTangent;
-in vec3 mesoBitangent;
-in vec2 mesoTileScale;
 uniform mat3 mesoModelToView; // linear part of model to view, without the buffer's own scale
 out vec3 mesoNormalMCVSOutput;
 out vec3 mesoPerTCoordUVSOutput; // dp/du and dp/dv in VC, per unit of the mesh's own coordinate

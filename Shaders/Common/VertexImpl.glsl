@@ -8,7 +8,11 @@
   mesoPrismVSOutput = mesoPrism;
 #endif
 #ifdef MESO_FRAME
+#ifdef MESO_DICED
+  mesoNormalMCVSOutput = mesoBaseNormal;
+#else
   mesoNormalMCVSOutput = mesoNormal;
+#endif
   mesoPerTCoordUVSOutput = mesoModelToView * (mesoTileScale.x * mesoTangent);
   mesoPerTCoordVVSOutput = mesoModelToView * (mesoTileScale.y * mesoBitangent);
 #endif

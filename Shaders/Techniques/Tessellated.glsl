@@ -1,5 +1,10 @@
-// The mesh has been diced and displaced before it came here: it is the detail. Only AOVs and colours
-// by height come this way, ordinary frames are VTK's own.
+// The mesh has been diced and displaced before it came here: it is the detail. Only AOVs, colours by
+// height and self-shadow come this way, ordinary frames are VTK's own.
+//   MESO_SELF_SHADOW  Techniques/Horizon says what blocks light
+
+#ifdef MESO_SELF_SHADOW
+float horizonBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, out int fetches);
+#endif
 
 // Unit normal of the flat facet, towards the eye.
 vec3 facetNormal(MesoFragment f)
@@ -21,5 +26,15 @@ float blockedFraction(
   MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
 {
   fetches = 0;
-  return dot(hit.FacetNormalVC, lightOutVC) > 0.0 ? 0.0 : 1.0;
+  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
+  {
+    return 1.0;
+  }
+#ifdef MESO_SELF_SHADOW
+  if (!seenFromBehind(f))
+  {
+    return horizonBlocks(f, hit, lightOutVC, fetches);
+  }
+#endif
+  return 0.0;
 }

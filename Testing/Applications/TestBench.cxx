@@ -394,3 +394,27 @@ TEST(MesoBench, MakesABrokenTruthAgain)
   EXPECT_EQ(run.ExitCode, 0) << run.Messages;
   EXPECT_EQ(scene.Bytes("out/scene/truth-mesh.png"), before);
 }
+
+// A scene of a volume is drawn by the techniques for volumes, not by those for maps.
+TEST(MesoBench, DrawsWhatTheSceneHolds)
+{
+  const SceneFolder scene(R"("lights": [{"type": "directional", "direction": [1, -0.6, -0.6]}],
+    "nodes": [{"mesh": {"shape": "sphere", "radius": 0.9, "rings": 6, "sides": 12},
+    "mesostructure": {"technique": "shell-sdf", "scale": 0.1, "tiles": [4, 2],
+                      "volume": {"pattern": "grid", "size": [16, 16, 8]}}}])");
+  const MesoRun run =
+    RunMeso({ "bench", scene.PathOf("scene.json"), "-o", scene.PathOf("out"), "--quick", "--size",
+      "64x48", "--techniques", "plain,relief,shell-sdf", "--qualities", "medium,full" });
+  ASSERT_EQ(run.ExitCode, 0) << run.Messages;
+  const Json results = Results(scene);
+  ASSERT_EQ(results["rows"].size(), 2u);
+  const Json plain = Row(results, "plain", "");
+  const Json shell = Row(results, "shell-sdf", "medium");
+  ASSERT_EQ(plain["status"], "ok");
+  ASSERT_EQ(shell["status"], "ok");
+  EXPECT_LT(plain["errors"]["mesh"]["coverage_iou"], 0.9); // the grid stands out
+  EXPECT_GT(shell["errors"]["mesh"]["coverage_iou"], 0.95);
+  EXPECT_LT(shell["errors"]["mesh"]["texcoord_p50"], 0.1);
+  EXPECT_LT(
+    shell["errors"]["mesh"]["depth_p95"], 0.1 * double(plain["errors"]["mesh"]["depth_p95"]));
+}

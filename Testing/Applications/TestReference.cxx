@@ -127,7 +127,11 @@ TEST(MesoReferenceCommand, RefusesInOneLine)
     { "reference", scene, "-o", picture, "--aov", "uv" }, 2, { "--aov", "'uv'", "base" });
   ExpectRefused({ "reference", scene, "-o", picture, "--stats", picture }, 1, { "one file" });
   ExpectRefused({ "reference", scene, "-o", picture, "--stats", scene }, 1, { "is read" });
-  EXPECT_EQ(folder.Names(), (std::vector<std::string>{ "scene.json" }));
+  const std::string part = folder.Write("part.json",
+    R"({"meso": 1, "nodes": [{"name": "half", "mesh": {"shape": "sphere"}, "part": {"by": "x", "range": [0, 9]}}]})");
+  ExpectRefused(
+    { "reference", part, "-o", picture, "--surface", "smooth" }, 1, { "node 'half'", "part" });
+  EXPECT_EQ(folder.Names().size(), 2u); // nothing was left beside the scenes
 }
 
 TEST(MesoReferenceCommand, HelpHasAnExample)

@@ -101,11 +101,11 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
   EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
     "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
     "plain, bump, normal, normal-object, parallax, horizon, relief, relief-quadric, "
-    "relief-quadric-exact, gdm, shell-sdf, tessellated)");
+    "relief-quadric-exact, vdm, gdm, shell-sdf, displacement, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
     "relief? choices: plain, bump, normal, normal-object, parallax, horizon, relief, "
-    "relief-quadric, relief-quadric-exact, gdm, shell-sdf, tessellated)");
+    "relief-quadric, relief-quadric-exact, vdm, gdm, shell-sdf, displacement, tessellated)");
   EXPECT_EQ(OfRelief(R"(, "parallax": "offset")"),
     "s.json: nodes[0].mesostructure.parallax: technique relief has no parallax to choose");
   EXPECT_EQ(OfRelief(R"(, "penumbra": 2)"),

@@ -17,6 +17,7 @@ struct FloatKernels
   using Real = float;
   using Contour = MesoKernels::Float::Contour;
   using Frame = MesoKernels::Float::Frame;
+  using Grid = MesoKernels::Float::Grid;
   using HeightField = MesoKernels::Float::HeightField;
   using Quadric = MesoKernels::Float::Quadric;
   using QuadricExact = MesoKernels::Float::QuadricExact;
@@ -29,6 +30,7 @@ struct DoubleKernels
   using Real = double;
   using Contour = MesoKernels::Double::Contour;
   using Frame = MesoKernels::Double::Frame;
+  using Grid = MesoKernels::Double::Grid;
   using HeightField = MesoKernels::Double::HeightField;
   using Quadric = MesoKernels::Double::Quadric;
   using QuadricExact = MesoKernels::Double::QuadricExact;

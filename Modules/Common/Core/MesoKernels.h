@@ -8,6 +8,8 @@
  * The same text as the shaders': each function's meaning, spaces, units and source stand there.
  *   MesoKernels::Float::Contour, MesoKernels::Double::Contour
  *     evenContours, oneContour
+ *   MesoKernels::Float::Grid, MesoKernels::Double::Grid
+ *     latticePoint, stepOnEdge, perMapCoord, displacedNormal
  *   MesoKernels::Float::Frame, MesoKernels::Double::Frame
  *     solveFrame, tiltedNormal
  *   MesoKernels::Float::GDMFactors, GDMWhole and those of Double
@@ -23,6 +25,8 @@
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross
+ *   MesoKernels::Float::VDMTable, MesoKernels::Double::VDMTable
+ *     what a table of distances over view and curvature holds: vdmDirection, vdmPoint, vdmNumber, ...
  *   MesoKernels::Float::AcrossField, CircleField, CubicField and those of Double
  *     a height map with paths of other kinds: depths across the view ray (acrossPath), below a
  *     circle (circlePath), cubics (cubicPath); with the functions of their bases
@@ -147,6 +151,14 @@ public:
 #include "MesoFrameFloat.h"
 };
 
+class Grid
+{
+public:
+#include "MesoBarycentricGridFloat.h"
+//
+#include "MesoDisplacedNormalFloat.h"
+};
+
 class Quadric
 {
 public:
@@ -194,6 +206,12 @@ class Volume : public MesoVolumeTexture<float>
 public:
   using MesoVolumeTexture<float>::MesoVolumeTexture;
 #include "MesoVolumeFloat.h"
+};
+
+class VDMTable
+{
+public:
+#include "MesoVDMTableFloat.h"
 };
 
 class HeightField : public MesoHeightTexture<float>
@@ -292,6 +310,14 @@ public:
 #include "MesoFrameDouble.h"
 };
 
+class Grid
+{
+public:
+#include "MesoBarycentricGridDouble.h"
+//
+#include "MesoDisplacedNormalDouble.h"
+};
+
 class Quadric
 {
 public:
@@ -339,6 +365,12 @@ class Volume : public MesoVolumeTexture<double>
 public:
   using MesoVolumeTexture<double>::MesoVolumeTexture;
 #include "MesoVolumeDouble.h"
+};
+
+class VDMTable
+{
+public:
+#include "MesoVDMTableDouble.h"
 };
 
 class HeightField : public MesoHeightTexture<double>

@@ -14,11 +14,12 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::NormalObject, "normal-object" }, { MesoTechnique::Parallax, "parallax" },
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
-  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::GDM, "gdm" },
-  { MesoTechnique::ShellSDF, "shell-sdf" }, { MesoTechnique::Tessellated, "tessellated" } };
+  { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::VDM, "vdm" },
+  { MesoTechnique::GDM, "gdm" }, { MesoTechnique::ShellSDF, "shell-sdf" },
+  { MesoTechnique::Displacement, "displacement" }, { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
-  { MesoQuality::Certified, "certified" } };
+  { MesoQuality::Certified, "certified" }, { MesoQuality::Full, "full" } };
 constexpr Entry<MesoSearch> Searches[] = { { MesoSearch::LinearBinary, "linear-binary" },
   { MesoSearch::LinearSecant, "linear-secant" }, { MesoSearch::Cone, "cone" },
   { MesoSearch::Certified, "certified" } };
@@ -331,6 +332,11 @@ double MesoFacetsPerTexel(MesoQuality quality)
   return 1.;
 }
 
+double MesoFacetPixels(MesoQuality quality)
+{
+  return 1. / MesoFacetsPerTexel(quality);
+}
+
 MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
 {
   switch (technique)
@@ -350,6 +356,7 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
         MesoEffect::Depth, MesoEffect::CastShadow };
     case MesoTechnique::ReliefQuadric:
     case MesoTechnique::ReliefQuadricExact:
+    case MesoTechnique::VDM:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
     case MesoTechnique::GDM:
@@ -357,6 +364,9 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow,
         MesoEffect::OpenBoundary, MesoEffect::NonHeightField };
+    case MesoTechnique::Displacement:
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
+        MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
         MesoEffect::Silhouette, MesoEffect::CastShadow };
@@ -387,6 +397,12 @@ MesoSearch MesoSearchOf(const MesoMesostructureOptions& options)
 std::string MesoSearchProblem(const MesoMesostructureOptions& options)
 {
   const bool certified = options.Quality == MesoQuality::Certified;
+  if (options.Quality == MesoQuality::Full && options.Technique != MesoTechnique::VDM &&
+    options.Technique != MesoTechnique::GDM)
+  {
+    return std::string("technique ") + MesoName(options.Technique) +
+      " has no quality full: it has no table";
+  }
   if (!MesoHasSearches(options.Technique))
   {
     const std::string technique = std::string("technique ") + MesoName(options.Technique);

@@ -203,6 +203,9 @@ MESOCOMMONCORE_EXPORT bool MesoBendsRelief(MesoTechnique technique);
 /// Facets along a texel's side, for techniques that dice: 1/4, 1/2, 1, 2.
 MESOCOMMONCORE_EXPORT double MesoFacetsPerTexel(MesoQuality quality);
 
+/// Pixels along a facet's side, for techniques that dice for the picture: 4, 2, 1, 1/2.
+MESOCOMMONCORE_EXPORT double MesoFacetPixels(MesoQuality quality);
+
 /// The effects that a technique can show.
 MESOCOMMONCORE_EXPORT MesoEffects MesoEffectsOfTechnique(MesoTechnique technique);
 
@@ -234,6 +237,9 @@ struct MesoMesostructureOptions
   /// Factors that a table is summed from, for distances and for silhouettes; default: the quality's.
   std::optional<std::array<int, 2>> Rank;
   int Segments = 1; ///< straight pieces that a ray's way through a prism is cut into, >= 1
+  /// Of techniques that dice on the GPU: pixels along a facet's side, >= 0; 0: texels alone decide;
+  /// default: what the quality stands for.
+  std::optional<double> FacetPixels;
 };
 
 /// Whether the relief's base is looked up in an image of the mesh (vtkMesoBaseImage).

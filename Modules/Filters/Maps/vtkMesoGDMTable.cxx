@@ -136,6 +136,16 @@ int vtkMesoGDMTable::RequestInformation(
   return 1;
 }
 
+int vtkMesoGDMTable::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* information = inputVector[0]->GetInformationObject(0);
+  int extent[6];
+  information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  return 1;
+}
+
 int vtkMesoGDMTable::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -30,11 +30,6 @@ MesoVector Unit(const MesoVector& a)
   return length > 0. ? MesoScaled(a, 1. / length) : a;
 }
 
-MesoVector WithoutPart(const MesoVector& a, const MesoVector& unit)
-{
-  return MesoDifference(a, MesoScaled(unit, MesoDot(a, unit)));
-}
-
 /// Derivatives of a linear function that grows by a and b along two edges.
 std::array<MesoVector, 2> Solve(const MesoVector& a, const MesoVector& b,
   const std::array<double, 2>& edgeA, const std::array<double, 2>& edgeB, double area)
@@ -138,30 +133,18 @@ std::array<double, 2> MesoDisplacement::Gradient(const MesoDisplacedPoint& point
 MesoVector MesoDisplacement::ShadingNormal(const Derivatives& triangle, const MesoBasePoint& base,
   const MesoDisplacedPoint& point, const std::array<double, 2>& gradient) const
 {
-  const MesoVector& n = point.UnitNormal;
   if (!triangle.Valid)
   {
-    return n;
+    return point.UnitNormal;
   }
+  const auto vector = [](const MesoVector& v) { return glm::dvec3(v[0], v[1], v[2]); };
   const double length = MesoLength(base.Normal);
-  MesoVector flat[2];
-  MesoVector q[2];
-  for (int k = 0; k < 2; ++k)
-  {
-    flat[k] = WithoutPart(triangle.Position[k], n);
-    const MesoVector turn = MesoScaled(WithoutPart(triangle.Normal[k], n), 1. / length);
-    const MesoVector relief =
-      MesoSum(MesoScaled(n, gradient[k]), MesoScaled(turn, point.Height - this->Reference));
-    q[k] = MesoSum(flat[k], MesoScaled(relief, this->Scale));
-  }
-  const double side = MesoDot(MesoCross(flat[0], flat[1]), n);
-  const MesoVector normal = MesoCross(q[0], q[1]);
-  const double size = MesoLength(normal);
-  if (!(size > 0.) || !std::isfinite(size) || !(std::abs(side) > 0.))
-  {
-    return n;
-  }
-  return MesoScaled(normal, (side > 0. ? 1. : -1.) / size);
+  const MesoKernels::Double::Grid kernel;
+  const glm::dvec3 normal = kernel.displacedNormal(vector(triangle.Position[0]),
+    vector(triangle.Position[1]), vector(point.UnitNormal), vector(triangle.Normal[0]) / length,
+    vector(triangle.Normal[1]) / length, { gradient[0], gradient[1] },
+    point.Height - this->Reference, this->Scale);
+  return { normal.x, normal.y, normal.z };
 }
 
 bool MesoDisplacement::Agree(const MesoDisplacedPoint& a, const MesoDisplacedPoint& b) const

@@ -190,16 +190,37 @@ MesoImageInput::MesoImageInput(const std::string& fileName)
 
 MesoImageInput::~MesoImageInput() = default;
 
-void MesoImageInput::Read(void* pixels, RowOrder order)
+int MesoImageInput::CountImages()
+{
+  auto& input = *this->Implementation->Input;
+  int count = 1;
+  while (input.seek_subimage(count, 0))
+  {
+    ++count;
+  }
+  input.geterror(); // that there is no further image is no error
+  return count;
+}
+
+void MesoImageInput::Read(void* pixels, RowOrder order, int image)
 {
   const auto& header = this->Description;
+  const OIIO::ImageSpec spec = this->Implementation->Input->spec(image, 0);
+  const bool isLikeTheFirst = spec.width == header.Width && spec.height == header.Height &&
+    spec.depth <= 1 && spec.nchannels == static_cast<int>(header.ChannelNames.size()) &&
+    spec.format.c_str() == header.StoredType;
+  if (!isLikeTheFirst)
+  {
+    throw MesoInputError(this->FileName + ": image " + std::to_string(image) +
+      " is of another size or type than the first");
+  }
   const auto pixelBytes =
     static_cast<OIIO::stride_t>(header.ChannelNames.size() * header.BytesPerValue());
   const OIIO::stride_t rowBytes = pixelBytes * header.Width;
   const bool isFlipped = order == RowOrder::BottomFirst;
   auto* first = static_cast<char*>(pixels) + (isFlipped ? rowBytes * (header.Height - 1) : 0);
   auto& input = *this->Implementation->Input;
-  const bool isRead = input.read_image(0, 0, 0, static_cast<int>(header.ChannelNames.size()),
+  const bool isRead = input.read_image(image, 0, 0, static_cast<int>(header.ChannelNames.size()),
     TypeOf(header.ValueType), first, pixelBytes, isFlipped ? -rowBytes : rowBytes);
   // A truncated JPEG or DDS file is "read", with grey for what is missing, and an error beside it.
   if (!isRead || input.has_error())

@@ -76,7 +76,13 @@ public:
   };
   /// Reads all pixels, channels interleaved, NumberOfValues() of ValueType. Throws MesoInputError
   /// where the file is truncated or damaged.
-  void Read(void* pixels, RowOrder order);
+  void Read(void* pixels, RowOrder order) { this->Read(pixels, order, 0); }
+
+  /// The images that the file holds.
+  int CountImages();
+  /// The same of the image of that number, counted from 0. Throws MesoInputError too where it is of
+  /// another size or type than the first.
+  void Read(void* pixels, RowOrder order, int image);
 
 private:
   class File;

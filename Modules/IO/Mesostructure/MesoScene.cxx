@@ -233,7 +233,7 @@ MesoSceneNode ReadNode(const MesoSceneValue& value)
   value.With("mesh", [&](const MesoSceneValue& mesh) { node.Mesh = MesoReadSceneMesh(mesh); });
   if (!node.Mesh)
   {
-    value.Refuse({ "feature_angle", "part", "material", "mesostructure" },
+    value.Refuse({ "feature_angle", "subdivide", "part", "material", "mesostructure" },
       "there is no mesh beside it that it is of");
   }
   value.With("feature_angle",
@@ -241,6 +241,15 @@ MesoSceneNode ReadNode(const MesoSceneValue& value)
       node.Mesh->FeatureAngle = angle.ToNumber({ 0., 180., true });
     });
   value.With("part", [&](const MesoSceneValue& part) { node.Part = MesoReadScenePart(part); });
+  value.With("subdivide",
+    [&](const MesoSceneValue& times)
+    {
+      if (node.Mesh->File.empty())
+      {
+        times.Fail("is for mesh files; a built-in shape has finer numbers of its own");
+      }
+      node.Mesh->Subdivide = static_cast<int>(times.ToInteger({ 0., 6., true }));
+    });
   value.With("material",
     [&](const MesoSceneValue& material) { node.Material = MesoReadSceneMaterial(material); });
   value.With("mesostructure",

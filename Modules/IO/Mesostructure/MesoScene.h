@@ -133,6 +133,7 @@ struct MesoSceneMesh
   /// The shape's numbers by key; a size in several directions has several values.
   std::map<std::string, std::vector<double>> Parameters;
   std::optional<double> FeatureAngle; ///< degrees; edges sharper than this split normals
+  int Subdivide = 0; ///< times that it is made four times as fine and smooth (Loop1987), 0 to 6
 };
 
 /// A height or depth map: an image file or a built-in pattern, and what its numbers mean.
@@ -159,7 +160,7 @@ struct MesoSceneVolume
   std::optional<std::array<int, 3>> Size;
   std::uint32_t Seed = 1;
   std::map<std::string, double> Parameters; ///< the pattern's further numbers by key
-  /// Stored numbers from here on are solid; default: the middle of what the file holds.
+  /// Stored numbers from here on are solid; default: what parts them best (MesoVolumeReport).
   std::optional<double> Threshold;
   bool SolidBelow = false; ///< numbers below Threshold are solid
   /// [x0, x1, y0, y1, z0, z1]: the part of the file that is the tile, in samples from 0, or, of a mesh,

@@ -13,9 +13,9 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "displacement", "geometry-image", "vdm",
-  "slices" };
-const std::vector<std::string> LaterQualities = { "full" };
+const std::vector<std::string> LaterTechniques = { "geometry-image", "slices" };
+
+constexpr double MostFactors = 12.;
 
 MesoSceneMap ReadMap(const MesoSceneValue& value)
 {
@@ -236,6 +236,51 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
       options.Segments = static_cast<int>(number.ToInteger({ 1., MesoMostSegments, true }));
     });
 }
+
+void CheckHasScale(const MesoSceneValue& value, const std::string& technique)
+{
+  if (!value.Has("scale"))
+  {
+    value.Fail(technique + " needs scale, the height of its relief in object units");
+  }
+}
+
+/// What techniques that look tables up have to choose.
+void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
+{
+  MesoMesostructureOptions& options = node.Mesostructure;
+  const bool tabled = options.Technique == MesoTechnique::VDM;
+  const std::string technique = std::string("technique ") + MesoName(options.Technique);
+  if (tabled && options.Wrap != MesoWrap::Repeat)
+  {
+    value.At("wrap").Fail(technique + " has a table of a tile that repeats");
+  }
+  value.With("rank",
+    [&](const MesoSceneValue& ranks)
+    {
+      if (!tabled)
+      {
+        ranks.Fail(technique + " has no table with factors");
+      }
+      if (options.Quality == MesoQuality::Full)
+      {
+        ranks.Fail("quality full is the table itself, without factors");
+      }
+      const MesoSceneRange range = { 1., MostFactors, true };
+      const auto list = ranks.ToList(2);
+      options.Rank = { static_cast<int>(list[0].ToInteger(range)),
+        static_cast<int>(list[1].ToInteger(range)) };
+    });
+  value.With("baked",
+    [&](const MesoSceneValue& file)
+    {
+      if (!tabled)
+      {
+        file.Fail(technique + " has no use for a baked table");
+      }
+      node.Baked = file.ToFileName();
+    });
+}
 }
 
 MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value)
@@ -343,8 +388,8 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("quality",
     [&](const MesoSceneValue& quality)
     {
-      options.Quality = quality.ToChoice<MesoQuality>(
-        "quality", &MesoQualityFromName, MesoQualityNames(), LaterQualities);
+      options.Quality =
+        quality.ToChoice<MesoQuality>("quality", &MesoQualityFromName, MesoQualityNames());
     });
   value.With("search",
     [&](const MesoSceneValue& search)
@@ -402,11 +447,22 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("penumbra",
     [&](const MesoSceneValue& angle)
     {
-      if (options.Technique != MesoTechnique::Horizon)
+      if (options.Technique != MesoTechnique::Horizon &&
+        options.Technique != MesoTechnique::Displacement)
       {
         angle.Fail("technique " + name + " has no penumbra");
       }
       options.Penumbra = angle.ToNumber({ 0., 90., true });
+    });
+  ReadTable(value, node);
+  value.With("facet_pixels",
+    [&](const MesoSceneValue& pixels)
+    {
+      if (options.Technique != MesoTechnique::Displacement)
+      {
+        pixels.Fail("technique " + name + " does not cut by pixels");
+      }
+      options.FacetPixels = pixels.ToNumber(MesoSceneRanges::NotNegative);
     });
   value.With("effects",
     [&](const MesoSceneValue& effects)
@@ -442,6 +498,11 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       "there is no height_map or depth_map or relief_map that it is of");
     const bool mapped = options.Technique == MesoTechnique::Normal ||
       options.Technique == MesoTechnique::NormalObject;
+    if (!node.Baked.empty())
+    {
+      CheckHasScale(value, technique);
+      return;
+    }
     if (MesoUsesHeightMap(options.Technique) && !(mapped && !node.Material.NormalMap.empty()))
     {
       value.Fail("technique " + name + " needs a height_map or a depth_map" +
@@ -449,9 +510,9 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     }
     return;
   }
-  if (MesoUsesHeightMap(options.Technique) && !value.Has("scale"))
+  if (MesoUsesHeightMap(options.Technique))
   {
-    value.Fail("technique " + name + " needs scale, the height of its relief in object units");
+    CheckHasScale(value, technique);
   }
   value.With("range", [&](const MesoSceneValue& range) { node.Map->Range = ReadRange(range); });
   value.With("sample_spacing",

@@ -20,21 +20,6 @@ namespace
 {
 constexpr int LargestObjectMap = 4096;
 
-/// The depth of the relief in widths of a tile, over the whole mesh: what angles are measured over.
-double DepthInTiles(vtkPolyData* mesh, const MesoMesostructureOptions& options)
-{
-  vtkDataArray* scales = mesh->GetPointData()->GetArray("MesoTileScale");
-  double sum = 0.;
-  for (vtkIdType i = 0; scales && i < scales->GetNumberOfTuples(); ++i)
-  {
-    sum +=
-      scales->GetComponent(i, 0) / options.Tiles[0] + scales->GetComponent(i, 1) / options.Tiles[1];
-  }
-  const double mean = scales ? sum / (2. * static_cast<double>(scales->GetNumberOfTuples())) : 0.;
-  const double depth = options.Scale / mean;
-  return std::isfinite(depth) ? std::min(std::max(depth, 1e-3), 1e3) : 1.;
-}
-
 MesoNormals NormalsOfHeights(vtkImageData* heights, vtkPolyData* mesh,
   const MesoMesostructureOptions& options, const std::string& place,
   std::vector<std::string>& warnings)
@@ -67,7 +52,7 @@ MesoNormals NormalsOfHeights(vtkImageData* heights, vtkPolyData* mesh,
     return normals;
   }
   normals.Meaning.Space = MesoNormalSpace::Relief;
-  normals.Meaning.Depth = DepthInTiles(mesh, options);
+  normals.Meaning.Depth = MesoDepthInTiles(mesh, options);
   vtkNew<vtkMesoNormalMap> filter;
   filter->SetInputData(heights);
   filter->SetScale(normals.Meaning.Depth);
@@ -76,6 +61,20 @@ MesoNormals NormalsOfHeights(vtkImageData* heights, vtkPolyData* mesh,
   normals.Image = filter->GetOutput();
   return normals;
 }
+}
+
+double MesoDepthInTiles(vtkPolyData* mesh, const MesoMesostructureOptions& options)
+{
+  vtkDataArray* scales = mesh->GetPointData()->GetArray("MesoTileScale");
+  double sum = 0.;
+  for (vtkIdType i = 0; scales && i < scales->GetNumberOfTuples(); ++i)
+  {
+    sum +=
+      scales->GetComponent(i, 0) / options.Tiles[0] + scales->GetComponent(i, 1) / options.Tiles[1];
+  }
+  const double mean = scales ? sum / (2. * static_cast<double>(scales->GetNumberOfTuples())) : 0.;
+  const double depth = options.Scale / mean;
+  return std::isfinite(depth) ? std::min(std::max(depth, 1e-3), 1e3) : 1.;
 }
 
 MesoNormals MesoReadNormalMap(
@@ -123,6 +122,20 @@ MesoNormals MesoReadNormalMap(
   return normals;
 }
 
+vtkSmartPointer<vtkImageData> MesoMakeHorizons(vtkImageData* heights, vtkPolyData* mesh,
+  const MesoMesostructureOptions& options, double& scale, const std::string& place,
+  std::vector<std::string>& warnings)
+{
+  vtkNew<vtkMesoHorizonMap> horizons;
+  horizons->SetInputData(heights);
+  horizons->SetAzimuths(MesoAzimuthsOfQuality(options.Quality));
+  scale = MesoDepthInTiles(mesh, options);
+  horizons->SetScale(scale);
+  horizons->SetWrap(options.Wrap);
+  MesoRunAlgorithm(horizons, place, warnings);
+  return horizons->GetOutput();
+}
+
 void MesoSetBumpMaps(vtkMesoBumpMapper* mapper, vtkImageData* heights, vtkPolyData* mesh,
   const MesoNormals& given, const std::string& place, std::vector<std::string>& warnings)
 {
@@ -142,12 +155,9 @@ void MesoSetBumpMaps(vtkMesoBumpMapper* mapper, vtkImageData* heights, vtkPolyDa
   if (options.Technique == MesoTechnique::Horizon &&
     MesoEffectsOn(options).Has(MesoEffect::SelfShadow))
   {
-    vtkNew<vtkMesoHorizonMap> horizons;
-    horizons->SetInputData(heights);
-    horizons->SetAzimuths(MesoAzimuthsOfQuality(options.Quality));
-    horizons->SetScale(DepthInTiles(mesh, options));
-    horizons->SetWrap(options.Wrap);
-    MesoRunAlgorithm(horizons, place, warnings);
-    mapper->SetHorizonMap(horizons->GetOutput(), horizons->GetScale());
+    double scale = 0.;
+    const vtkSmartPointer<vtkImageData> horizons =
+      MesoMakeHorizons(heights, mesh, options, scale, place, warnings);
+    mapper->SetHorizonMap(horizons, scale);
   }
 }

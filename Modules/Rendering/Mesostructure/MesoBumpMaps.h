@@ -25,9 +25,17 @@ struct MesoNormals
   MesoNormalMapMeaning Meaning;
 };
 
+/// The depth of the relief in widths of a tile, over the whole mesh: what tables are baked for.
+double MesoDepthInTiles(vtkPolyData* mesh, const MesoMesostructureOptions& options);
+
 /// The material's normal map; throws MesoInputError "place: reason" where it is none.
 MesoNormals MesoReadNormalMap(
   const MesoSceneMaterial& material, const std::string& place, std::vector<std::string>& warnings);
+
+/// The horizons of a height map as the relief's depth on the mesh asks for, and the filter's Scale.
+vtkSmartPointer<vtkImageData> MesoMakeHorizons(vtkImageData* heights, vtkPolyData* mesh,
+  const MesoMesostructureOptions& options, double& scale, const std::string& place,
+  std::vector<std::string>& warnings);
 
 /// Gives the mapper what its technique draws: normals made of the heights where `given` has none, and
 /// horizons. Heights may be null.

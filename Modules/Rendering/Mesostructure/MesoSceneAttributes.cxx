@@ -30,9 +30,11 @@ void DescribeObjects(const MesoSceneBuilder& builder, MesoExrAttributes& attribu
     attributes[prefix + "scale"] = object.Options.Scale;
     attributes[prefix + "world_units"] =
       std::cbrt(std::abs(object.Actor->GetMatrix()->Determinant()));
-    if (object.HeightMap)
+    // A volume's voxels count as texels of the tile.
+    vtkImageData* map = object.Volume ? object.Volume : object.HeightMap;
+    if (map)
     {
-      const int* size = object.HeightMap->GetDimensions();
+      const int* size = map->GetDimensions();
       attributes[prefix + "map_width"] = static_cast<double>(size[0]);
       attributes[prefix + "map_height"] = static_cast<double>(size[1]);
     }

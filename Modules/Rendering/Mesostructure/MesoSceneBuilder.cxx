@@ -10,6 +10,7 @@
 #include "MesoSceneLights.h"
 #include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
+#include "MesoVDMInput.h"
 #include "MesoVolumeInput.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
@@ -18,7 +19,9 @@
 #include "vtkMesoBaseImage.h"
 #include "vtkMesoBumpMapper.h"
 #include "vtkMesoDisplacedMesh.h"
+#include "vtkMesoDisplacementMapper.h"
 #include "vtkMesoImageReader.h"
+#include "vtkMesoLoopSubdivision.h"
 #include "vtkMesoMeshReader.h"
 #include "vtkMesoMovedMesh.h"
 #include "vtkMesoQuadricFit.h"
@@ -28,6 +31,7 @@
 #include "vtkMesoShellMapper.h"
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkMesoTessellatedMapper.h"
+#include "vtkMesoVDMMapper.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -133,6 +137,21 @@ void CheckPolarity(const MesoSceneMap& map, vtkImageData* heights, const MesoNor
   }
 }
 
+/// What comes with displaced geometry cannot be had apart.
+void CheckGeometryEffects(const MesoMesostructureOptions& options, const std::string& place)
+{
+  const MesoEffects effects = MesoEffectsOn(options);
+  const MesoEffects ofGeometry = { MesoEffect::Occlusion, MesoEffect::Depth,
+    MesoEffect::Silhouette };
+  if (!effects.Without({ MesoEffect::CastShadow }).Empty() && !ofGeometry.Without(effects).Empty())
+  {
+    throw MesoInputError(place + ": technique " + MesoName(options.Technique) +
+      " shows occlusion, depth and silhouette together: all of them must be among its effects, or "
+      "no "
+      "effect at all");
+  }
+}
+
 std::array<double, 16> Multiply(
   const std::array<double, 16>& left, const std::array<double, 16>& right)
 {
@@ -207,20 +226,29 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
   vtkNew<vtkMesoMeshReader> reader;
   reader->SetFileName(mesh.File.c_str());
   MesoRunAlgorithm(reader, place, this->Warnings);
-  if (!reader->GetOutput()->GetPointData()->GetTCoords() && !needsFrames)
+  vtkSmartPointer<vtkPolyDataAlgorithm> source = reader;
+  if (mesh.Subdivide > 0)
+  {
+    vtkNew<vtkMesoLoopSubdivision> smooth;
+    smooth->SetInputConnection(reader->GetOutputPort());
+    smooth->SetLevels(mesh.Subdivide);
+    MesoRunAlgorithm(smooth, place, this->Warnings);
+    source = smooth;
+  }
+  if (!source->GetOutput()->GetPointData()->GetTCoords() && !needsFrames)
   {
     // No frame without texture coordinates; the points are not split, so VTK's normals serve.
     vtkNew<vtkPolyDataNormals> normals;
-    normals->SetInputConnection(reader->GetOutputPort());
+    normals->SetInputConnection(source->GetOutputPort());
     normals->ConsistencyOff();
     normals->SetSplitting(mesh.FeatureAngle.has_value());
     normals->SetFeatureAngle(mesh.FeatureAngle.value_or(30.));
-    const bool given = reader->GetOutput()->GetPointData()->GetNormals() != nullptr;
-    MesoRunAlgorithm(given ? static_cast<vtkAlgorithm*>(reader) : normals, place, this->Warnings);
-    return given ? reader->GetOutput() : normals->GetOutput();
+    const bool given = source->GetOutput()->GetPointData()->GetNormals() != nullptr;
+    MesoRunAlgorithm(given ? static_cast<vtkAlgorithm*>(source) : normals, place, this->Warnings);
+    return given ? source->GetOutput() : normals->GetOutput();
   }
   vtkNew<vtkMesoSurfaceFrames> frames;
-  frames->SetInputConnection(reader->GetOutputPort());
+  frames->SetInputConnection(source->GetOutputPort());
   if (mesh.FeatureAngle)
   {
     frames->SplitNormalsOn();
@@ -282,14 +310,7 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
   {
     return object.Base;
   }
-  const MesoEffects ofGeometry = { MesoEffect::Occlusion, MesoEffect::Depth,
-    MesoEffect::Silhouette };
-  if (!ofGeometry.Without(effects).Empty())
-  {
-    throw MesoInputError(place +
-      ": technique tessellated shows occlusion, depth and silhouette together: all of them must be "
-      "among its effects, or no effect at all");
-  }
+  CheckGeometryEffects(object.Options, place);
   vtkNew<vtkMesoDisplacedMesh> diced;
   diced->SetInputData(object.Base);
   diced->SetHeightMapData(object.HeightMap);
@@ -365,7 +386,7 @@ MesoNormals MesoSceneBuilder::ReadNormals(
 }
 
 void MesoSceneBuilder::MakeMapper(
-  Object& object, const MesoNormals& normals, const std::string& inScene)
+  const MesoSceneNode& node, Object& object, const MesoNormals& normals, const std::string& inScene)
 {
   if (object.Options.Technique == MesoTechnique::Relief ||
     MesoBendsRelief(object.Options.Technique))
@@ -415,6 +436,36 @@ void MesoSceneBuilder::MakeMapper(
     }
     object.Mapper = shell;
   }
+  else if (object.Options.Technique == MesoTechnique::VDM)
+  {
+    if (object.Options.Reference != 1. && !MesoEffectsOn(object.Options).Empty())
+    {
+      object.Mesh = this->Moved(object, inScene + ".mesh");
+    }
+    if (MesoEffectsOn(object.Options).Has(MesoEffect::Curvature))
+    {
+      object.Mesh = this->WithQuadrics(object.Mesh, object.Options.Quadric, inScene + ".mesh");
+    }
+    vtkNew<vtkMesoVDMMapper> vdm;
+    vdm->SetOptions(object.Options);
+    vdm->SetHeightMap(object.HeightMap);
+    MesoSetVDMTable(vdm, node.Baked, object.Mesh, inScene + ".mesostructure", this->Warnings);
+    object.Mapper = vdm;
+  }
+  else if (object.Options.Technique == MesoTechnique::Displacement)
+  {
+    CheckGeometryEffects(object.Options, inScene + ".mesostructure");
+    vtkNew<vtkMesoDisplacementMapper> displacement;
+    displacement->SetHeightMap(object.HeightMap);
+    if (object.Options.Scale > 0. && MesoEffectsOn(object.Options).Has(MesoEffect::SelfShadow))
+    {
+      double scale = 0.;
+      const auto horizons = MesoMakeHorizons(object.HeightMap, object.Mesh, object.Options, scale,
+        inScene + ".mesostructure", this->Warnings);
+      displacement->SetHorizonMap(horizons, scale);
+    }
+    object.Mapper = displacement;
+  }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
   {
     object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
@@ -449,6 +500,10 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       object.Volume =
         MesoReadVolume(*node.Volume, inScene + ".mesostructure.volume", this->Warnings);
     }
+    if (MesoUsesHeightMap(node.Mesostructure.Technique) && !node.Map && !node.Baked.empty())
+    {
+      object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
+    }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
         (node.Material.ColorBy && MesoArrayNeedsFrames(node.Material.ColorBy->Array)) ||
@@ -477,7 +532,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
-    this->MakeMapper(object, normals, inScene);
+    this->MakeMapper(node, object, normals, inScene);
     object.Mapper->SetOptions(node.Mesostructure);
     object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
         ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")

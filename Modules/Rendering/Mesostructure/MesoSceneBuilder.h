@@ -62,7 +62,8 @@ private:
   /// The material's normal map, where it is shown; none where it is not.
   MesoNormals ReadNormals(const MesoSceneNode& node, Object& object, const std::string& inScene);
   /// The technique's mapper with its maps, and the mesh that it draws.
-  void MakeMapper(Object& object, const MesoNormals& normals, const std::string& inScene);
+  void MakeMapper(const MesoSceneNode& node, Object& object, const MesoNormals& normals,
+    const std::string& inScene);
   /// Colours, contour lines and a scalar bar of the object's numbers.
   void AddScalars(const MesoSceneMaterial& material, const Object& object,
     const std::string& inScene, vtkRenderer* renderer);

@@ -47,6 +47,7 @@ void MesoShaderBuild::Define(const MesoShaderShape& shape)
     }
   };
   define("MESO_SURFACE", this->Surface);
+  define("MESO_DICED", this->Diced);
   define("MESO_AOV", this->Numbers && this->Surface);
   define("MESO_CAST_SHADOW", this->TakesShadows);
   define("MESO_CASTER", this->Caster);
@@ -70,7 +71,13 @@ void MesoShaderBuild::Define(const MesoShaderShape& shape)
     define("MESO_FRAME", shape.UsesFrame);
     define("MESO_DISPLACED", shape.Displaced);
     define("MESO_PRISMS", shape.Prisms);
+  }
+  if (this->Surface || this->Diced)
+  {
     defines.insert(defines.end(), shape.Defines.begin(), shape.Defines.end());
+  }
+  if (this->Surface)
+  {
     define("MESO_OCCLUSION", this->Caster); // the light sees the detail in any case
   }
   this->Definitions = MesoShaderAssembler::DefineLines(defines);
@@ -84,8 +91,11 @@ void MesoShaderBuild::SpliceVertexShader(MesoShaderAssembler& vertex) const
   {
     Before(vertex, declarations, chunk);
   }
-  Before(vertex, declarations, "Common/VertexDec.glsl");
-  Before(vertex, "//VTK::CustomEnd::Impl", "Common/VertexImpl.glsl");
+  if (this->Surface)
+  {
+    Before(vertex, declarations, "Common/VertexDec.glsl");
+    Before(vertex, "//VTK::CustomEnd::Impl", "Common/VertexImpl.glsl");
+  }
 }
 
 void MesoShaderBuild::SpliceGeometryShader(MesoShaderAssembler& geometry) const
@@ -101,6 +111,10 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
 {
   const char* const declarations = "//VTK::CustomUniforms::Dec";
   fragment.Before(declarations, "definitions", this->Definitions);
+  if (this->Diced)
+  {
+    fragment.Before(declarations, "base's triangle", "flat in int mesoCellVSOutput;\n");
+  }
   if (this->Surface)
   {
     Before(fragment, declarations, "Common/Surface.glsl");
@@ -159,6 +173,33 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
     fragment.After(
       "//VTK::Normal::Impl", "Common/NormalImpl.glsl", MesoShaderText("Common/NormalImpl.glsl"));
   }
+}
+
+void MesoShaderBuild::PlaceVertices(
+  MesoShaderAssembler& vertex, MesoShaderAssembler& geometry, MesoShaderAssembler& fragment)
+{
+  // VTK 9.1 to 9.5, vtkPolyDataVS.glsl and vtkOpenGLPolyDataMapper: attributes, byte by byte.
+  const char* const attributes[][3] = { { "in vec4 vertexMC;", "vec4 vertexMC;",
+                                          "  vertexMC = mesoVertexMC;\n" },
+    { "in vec3 normalMC;", "vec3 normalMC;", "  normalMC = mesoNormal;\n" },
+    { "in vec2 tcoord;", "vec2 tcoord;", "  tcoord = coordinateHere();\n" },
+    { "in vec4 scalarColor;", "vec4 scalarColor;", "  scalarColor = colorHere();\n" } };
+  std::string placing = "  placeVertex(gl_VertexID, gl_InstanceID);\n";
+  for (const auto& attribute : attributes)
+  {
+    if (vertex.Count(attribute[0]) > 0)
+    {
+      vertex.Rename(attribute[0], attribute[1], 1);
+      placing += attribute[2];
+    }
+  }
+  vertex.Before("//VTK::CustomBegin::Impl", "vertex", placing);
+  // The number of a triangle among those drawn says nothing here: neither which of its edges are those of
+  // a polygon (all are drawn), nor which cell it is of.
+  const char* const polygonEdges =
+    "255.0*texelFetch(edgeTexture, gl_PrimitiveIDIn + PrimitiveIDOffset).r";
+  geometry.Rename(polygonEdges, "7.0", geometry.Count(polygonEdges));
+  fragment.Rename("gl_PrimitiveID", "mesoCellVSOutput", fragment.Count("gl_PrimitiveID"));
 }
 
 void MesoShaderBuild::ShowDetailToVTKShadows(MesoShaderAssembler& fragment)

@@ -20,6 +20,7 @@ struct MesoShaderBuild
   bool Traces = false;        ///< the technique looks for a surface other than the base mesh
   bool WritesDepth = false;   ///< the depth buffer is that of the detail
   bool Caster = false;        ///< a shadow map is drawn: no lighting
+  bool Diced = false;         ///< vertices are placed by the technique's vertex chunks
   bool Lit = false;           ///< VTK's normal and position are in the shader
   bool OwnLighting = false;   ///< Shaders/Common/Lighting.glsl in place of VTK's
   bool Textured = false;      ///< colour textures are read where the ray hit
@@ -48,6 +49,11 @@ struct MesoShaderBuild
   void SpliceVertexShader(MesoShaderAssembler& vertex) const;
   void SpliceGeometryShader(MesoShaderAssembler& geometry) const;
   void SpliceFragmentShader(MesoShaderAssembler& fragment) const;
+
+  /// Let the technique place the vertices: what VTK reads as attributes becomes variables that it sets. To
+  /// be called when VTK has consumed its hooks.
+  static void PlaceVertices(
+    MesoShaderAssembler& vertex, MesoShaderAssembler& geometry, MesoShaderAssembler& fragment);
 
   /// Let VTK's shadow map passes store the depth of the detail instead of the triangle's.
   static void ShowDetailToVTKShadows(MesoShaderAssembler& fragment);

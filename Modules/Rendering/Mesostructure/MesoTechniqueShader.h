@@ -25,6 +25,7 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
   bool WritesDepth = false; ///< the depth buffer is that of the detail
   bool Displaced = false;   ///< the mesh itself is the detail, with its depth in MesoRelief
   bool Prisms = false;      ///< the mesh is a shell of prisms, their numbers in MesoPrism
+  bool Diced = false;       ///< vertices are placed by the vertex stage, not read from the mesh
 
   /// Asks for the tangent frame of the vertices, and the arrays that hold it.
   void UseFrame();
@@ -35,7 +36,7 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
       this->Attributes == other.Attributes && this->Defines == other.Defines &&
       this->Traces == other.Traces && this->UsesFrame == other.UsesFrame &&
       this->WritesDepth == other.WritesDepth && this->Displaced == other.Displaced &&
-      this->Prisms == other.Prisms;
+      this->Prisms == other.Prisms && this->Diced == other.Diced;
   }
 };
 

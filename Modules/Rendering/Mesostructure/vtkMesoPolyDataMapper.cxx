@@ -106,7 +106,8 @@ void vtkMesoPolyDataMapper::SetScale(double scale)
 void vtkMesoPolyDataMapper::ComputeBounds()
 {
   this->Superclass::ComputeBounds();
-  if (vtkMath::AreBoundsInitialized(this->Bounds) && this->GetTechnique()->GetShape().Traces &&
+  const MesoShaderShape shape = this->GetTechnique()->GetShape();
+  if (vtkMath::AreBoundsInitialized(this->Bounds) && (shape.Traces || shape.Diced) &&
     MesoEffectsOfTechnique(this->TechniqueOf(this->Options)).Has(MesoEffect::Depth))
   {
     for (int i = 0; i < 6; ++i)
@@ -231,7 +232,7 @@ void vtkMesoPolyDataMapper::WarnOnce(const std::string& reason)
 
 std::string vtkMesoPolyDataMapper::WhyNot(const MesoShaderShape& shape)
 {
-  if (!shape.Traces)
+  if (!shape.Traces && !shape.Diced)
   {
     return {};
   }
@@ -283,8 +284,13 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->WarnOnce(uncolored);
   }
-  // The same in all passes of a frame with shadows, so that none undoes another's.
-  if (shape.Traces || MesoInPass<vtkMesoAOVPass>(actor) || this->HeightColorsReady ||
+  // The same in all passes of a frame with shadows, so that none undoes another's. A technique that
+  // places the vertices reads no attributes.
+  if (shape.Diced)
+  {
+    this->Attributes->Clear(this);
+  }
+  else if (shape.Traces || MesoInPass<vtkMesoAOVPass>(actor) || this->HeightColorsReady ||
     this->DrawsContours(shape) || takesShadows || caster)
   {
     this->Attributes->Map(this, this->CurrentInput, shape);
@@ -368,6 +374,9 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
     (shape.Traces || aov || this->HeightColorsReady || this->DrawsContours(shape) ||
       takesShadows) &&
     points->GetNormals() && (points->GetTCoords() || !shape.Traces);
+  build.Diced = triangles && !this->PointPicking && shape.Diced &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  build.Surface = build.Surface && build.Diced == shape.Diced;
   build.HeightColored = build.Surface && this->HeightColorsReady && !build.Caster;
   build.Contoured = build.Surface && this->DrawsContours(shape) && !build.Caster;
   build.ContourHeights = static_cast<int>(this->ContourLines.Heights.size());
@@ -420,7 +429,7 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
   MesoShaderAssembler vertex("vertex shader", shaders[vtkShader::Vertex]->GetSource());
   MesoShaderAssembler geometry("geometry shader", shaders[vtkShader::Geometry]->GetSource());
   MesoShaderAssembler fragment("fragment shader", shaders[vtkShader::Fragment]->GetSource());
-  if (build.Surface)
+  if (build.Surface || build.Diced)
   {
     build.SpliceVertexShader(vertex);
     if (!geometry.GetText().empty())
@@ -428,7 +437,7 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
       build.SpliceGeometryShader(geometry);
     }
   }
-  if (build.Surface || build.OwnLighting)
+  if (build.Surface || build.Diced || build.OwnLighting)
   {
     build.SpliceFragmentShader(fragment);
   }
@@ -438,6 +447,19 @@ void vtkMesoPolyDataMapper::ReplaceShaderValues(
 
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
 
+  if (build.Diced)
+  {
+    MesoShaderAssembler placed("vertex shader", shaders[vtkShader::Vertex]->GetSource());
+    MesoShaderAssembler edges("geometry shader", shaders[vtkShader::Geometry]->GetSource());
+    MesoShaderAssembler cells("fragment shader", shaders[vtkShader::Fragment]->GetSource());
+    MesoShaderBuild::PlaceVertices(placed, edges, cells);
+    shaders[vtkShader::Vertex]->SetSource(placed.GetText());
+    shaders[vtkShader::Geometry]->SetSource(edges.GetText());
+    shaders[vtkShader::Fragment]->SetSource(cells.GetText());
+    this->Report(placed);
+    this->Report(edges);
+    this->Report(cells);
+  }
   if (build.Textured || build.Scalars)
   {
     MesoShaderAssembler atHit("fragment shader", shaders[vtkShader::Fragment]->GetSource());
@@ -556,10 +578,15 @@ void vtkMesoPolyDataMapper::SetCameraShaderParameters(
     this->GetTechnique()->GetCentre());
 }
 
+std::int64_t vtkMesoPolyDataMapper::GetNumberOfTrianglesDrawn()
+{
+  return this->GetInput() ? this->GetInput()->GetNumberOfPolys() : 0;
+}
+
 std::size_t vtkMesoPolyDataMapper::GetGPUBytes()
 {
   std::size_t bytes = this->GetTechnique()->GetGPUBytes() + this->NormalMap->GetGPUBytes() +
-    this->HeightColors->GetGPUBytes();
+    this->HeightColors->GetGPUBytes() + this->GetGeometryBytes();
   std::vector<std::string> buffers = this->Attributes->Names();
   buffers.insert(buffers.end(), { "vertexMC", "normalMC", "scalarColor", "tcoord" });
   for (const std::string& name : buffers)

@@ -42,6 +42,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -136,6 +137,9 @@ public:
   /// Why the last frame shows the base mesh instead of the technique; empty where it does not.
   const std::string& GetWhyPlain() const { return this->WhyPlain; }
 
+  /// Triangles that the last frame was drawn with.
+  virtual std::int64_t GetNumberOfTrianglesDrawn();
+
   /// Bytes of vertex data, indices and textures held on the GPU since the last frame.
   std::size_t GetGPUBytes();
 
@@ -156,6 +160,8 @@ protected:
   virtual MesoTechniqueShader* GetTechnique();
   /// Called after the options have changed.
   virtual void OptionsChanged() {}
+  /// Bytes of the GPU that a class takes for geometry of its own.
+  virtual std::size_t GetGeometryBytes() const { return 0; }
   /// The technique that this class draws with some options.
   virtual MesoTechnique TechniqueOf(const MesoMesostructureOptions& options) const;
 

@@ -34,6 +34,20 @@ void CollectMeshes(const std::vector<MesoSceneNode>& nodes, std::vector<MesoScen
   }
 }
 
+/// A closed form is of the whole shape.
+void RefuseParts(const std::vector<MesoSceneNode>& nodes)
+{
+  for (const MesoSceneNode& node : nodes)
+  {
+    if (node.Part)
+    {
+      throw MesoInputError("node '" + node.Name +
+        "': the surface 'smooth' is that of a whole shape, and this is a part of one");
+    }
+    RefuseParts(node.Children);
+  }
+}
+
 /// All that detail does, whatever the nodes' techniques show of it; and their base meshes, where a
 /// technique would dice them.
 void ShowAllDetail(std::vector<MesoSceneNode>& nodes)
@@ -132,6 +146,10 @@ MesoReference::MesoReference(const MesoScene& scene, Surface surface, double fac
   : Inside(std::make_unique<Implementation>(scene))
 {
   const auto start = std::chrono::steady_clock::now();
+  if (surface == Surface::Smooth)
+  {
+    RefuseParts(scene.Nodes);
+  }
   Implementation& inside = *this->Inside;
   // The builder reads files and resolves matrices; nothing is rendered, so no context is made.
   MesoSceneBuilder& builder = inside.Builder;

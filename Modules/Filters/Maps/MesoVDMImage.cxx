@@ -1,0 +1,184 @@
+#include "MesoVDMImage.h"
+
+#include "MesoTableFactors.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+/// A column of the weights as whole numbers from 0 on, and what stands for the first and the last.
+struct Span
+{
+  float Low = 0.f;
+  float Width = 0.f;
+};
+
+std::vector<Span> SpansOf(const std::vector<float>& weights, int rank)
+{
+  std::vector<Span> spans(rank);
+  for (int i = 0; i < rank; ++i)
+  {
+    float low = std::numeric_limits<float>::max();
+    float high = std::numeric_limits<float>::lowest();
+    for (std::size_t k = i; k < weights.size(); k += rank)
+    {
+      low = std::min(low, weights[k]);
+      high = std::max(high, weights[k]);
+    }
+    spans[i] = { low, high - low };
+  }
+  return spans;
+}
+
+template <typename Array>
+void AddWeights(
+  const std::vector<float>& weights, const std::vector<Span>& spans, vtkImageData* image)
+{
+  using Code = typename Array::ValueType;
+  const std::size_t rank = spans.size();
+  vtkNew<Array> codes;
+  codes->SetName("Weights");
+  codes->SetNumberOfComponents(static_cast<int>(rank));
+  codes->SetNumberOfTuples(static_cast<vtkIdType>(weights.size() / rank));
+  constexpr float largest = std::numeric_limits<Code>::max();
+  Code* code = codes->GetPointer(0);
+  for (std::size_t k = 0; k < weights.size(); ++k)
+  {
+    const Span& span = spans[k % rank];
+    const float part = span.Width > 0.f ? (weights[k] - span.Low) / span.Width : 0.f;
+    code[k] = static_cast<Code>(std::lround(part * largest));
+  }
+  image->GetPointData()->SetScalars(codes);
+}
+
+/// Of the columns from `first` on, a tuple each.
+void AddFunctions(const MesoTableFactors& factors, int first, int count, int rank, double scale,
+  const char* name, vtkImageData* image)
+{
+  vtkNew<vtkFloatArray> functions;
+  functions->SetName(name);
+  functions->SetNumberOfComponents(rank);
+  functions->SetNumberOfTuples(count);
+  for (int column = 0; column < count; ++column)
+  {
+    for (int i = 0; i < rank; ++i)
+    {
+      functions->SetComponent(column, i,
+        scale *
+          factors.GetEigenFunctions()[std::size_t(first + column) * factors.GetRank() + i]);
+    }
+  }
+  image->GetFieldData()->AddArray(functions);
+}
+
+void AddNumbers(const std::vector<double>& numbers, const char* name, vtkImageData* image)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double number : numbers)
+  {
+    array->InsertNextValue(number);
+  }
+  image->GetFieldData()->AddArray(array);
+}
+
+double RootMeanSquare(const MesoVDMNumbers& numbers, int columns, int first, int end)
+{
+  double sum = 0.;
+  for (std::size_t row = 0; row < numbers.size(); row += columns)
+  {
+    for (int i = first; i < end; ++i)
+    {
+      sum += double(numbers[row + i]) * numbers[row + i];
+    }
+  }
+  return std::sqrt(sum * columns / (double(numbers.size()) * (end - first)));
+}
+}
+
+void MesoStoreVDM(const MesoVDMLayout& layout, const MesoVDMNumbers& numbers, vtkImageData* image)
+{
+  const int columns = layout.Columns();
+  const int distances = layout.DistanceColumns();
+  vtkNew<vtkUnsignedShortArray> vdm;
+  vdm->SetName("VDM");
+  vdm->SetNumberOfComponents(distances);
+  vdm->SetNumberOfTuples(static_cast<vtkIdType>(layout.Rows()));
+  vtkNew<vtkUnsignedShortArray> mvm;
+  mvm->SetName("MVM");
+  mvm->SetNumberOfComponents(layout.Curvatures);
+  mvm->SetNumberOfTuples(static_cast<vtkIdType>(layout.Rows()));
+  unsigned short* distance = vdm->GetPointer(0);
+  unsigned short* angle = mvm->GetPointer(0);
+  constexpr float largest = std::numeric_limits<unsigned short>::max();
+  for (std::size_t row = 0; row < numbers.size(); row += columns)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const auto code = static_cast<unsigned short>(numbers[row + i] * largest + 0.5f);
+      *(i < distances ? distance : angle)++ = code;
+    }
+  }
+  image->GetPointData()->SetScalars(vdm);
+  image->GetPointData()->AddArray(mvm);
+}
+
+bool MesoStoreVDMFactors(const MesoVDMLayout& layout, MesoVDMNumbers& numbers,
+  const std::array<int, 2>& ranks, int bits, const std::function<bool(double)>& progress,
+  vtkImageData* image)
+{
+  const int columns = layout.Columns();
+  const int distances = layout.DistanceColumns();
+  const double ofDistances = RootMeanSquare(numbers, columns, 0, distances);
+  const double ofAngles = RootMeanSquare(numbers, columns, distances, columns);
+  const double scale = ofDistances > 0. && ofAngles > 0. ? ofDistances / ofAngles : 1.;
+  for (std::size_t row = 0; row < numbers.size(); row += columns)
+  {
+    for (int i = distances; i < columns; ++i)
+    {
+      numbers[row + i] = static_cast<float>(scale * numbers[row + i]);
+    }
+  }
+  MesoTableFactors factors;
+  if (!factors.Compute(
+        numbers.data(), layout.Rows(), columns, std::max(ranks[0], ranks[1]), progress))
+  {
+    return false;
+  }
+  const int rank = factors.GetRank();
+  const std::vector<Span> spans = SpansOf(factors.GetWeights(), rank);
+  if (bits > MesoVDMLeastBits)
+  {
+    AddWeights<vtkUnsignedShortArray>(factors.GetWeights(), spans, image);
+  }
+  else
+  {
+    AddWeights<vtkUnsignedCharArray>(factors.GetWeights(), spans, image);
+  }
+  AddFunctions(factors, 0, distances, std::min(ranks[0], rank), 1., "VDMFunctions", image);
+  AddFunctions(factors, distances, layout.Curvatures, std::min(ranks[1], rank), 1. / scale,
+    "MVMFunctions", image);
+  std::vector<double> lows;
+  std::vector<double> widths;
+  std::vector<double> errors;
+  for (int i = 0; i < rank; ++i)
+  {
+    lows.push_back(spans[i].Low);
+    widths.push_back(spans[i].Width);
+    errors.push_back(factors.GetError(i + 1));
+  }
+  AddNumbers(lows, "WeightLow", image);
+  AddNumbers(widths, "WeightWidth", image);
+  AddNumbers(errors, "Errors", image);
+  return true;
+}

@@ -1,0 +1,137 @@
+#include "MesoVDMInput.h"
+
+#include "MesoAlgorithmRun.h"
+#include "MesoBakeCache.h"
+#include "MesoBumpMaps.h"
+#include "MesoScene.h"
+#include "MesoVDMTable.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMesoVDM.h"
+#include "vtkMesoVDMMapper.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace
+{
+/// Grows when what is baked from the same input changes.
+constexpr double BakerVersion = 1.;
+
+/// What tables in the cache have, so that one serves all qualities.
+constexpr std::array<int, 2> KeptRanks = { 12, 4 };
+
+/// The relief must not reach the centre of the strongest curvature.
+constexpr double LargestReach = 0.8;
+
+const char* const Kind = "vdm";
+
+MesoVDMLayout LayoutFor(double depth)
+{
+  MesoVDMLayout layout;
+  layout.Depth = depth;
+  layout.LastCurvature = std::min(layout.LastCurvature, LargestReach / depth);
+  return layout;
+}
+
+vtkSmartPointer<vtkImageData> Bake(vtkImageData* heights, const MesoVDMLayout& layout,
+  const std::array<int, 2>& ranks, const std::string& place, std::vector<std::string>& warnings)
+{
+  vtkNew<vtkMesoVDM> filter;
+  filter->SetInputData(heights);
+  filter->SetLayout(layout);
+  filter->SetRanks(ranks[0], ranks[1]);
+  MesoRunAlgorithm(filter, place, warnings);
+  return filter->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> BakeOnce(vtkMesoVDMMapper* mapper, double depth,
+  const std::string& place, std::vector<std::string>& warnings)
+{
+  const MesoVDMLayout layout = LayoutFor(depth);
+  std::array<int, 2> ranks = vtkMesoVDMMapper::GetRanks(mapper->GetOptions());
+  if (ranks[0] == 0)
+  {
+    // The table itself is faster baked than read.
+    return Bake(mapper->GetHeightMap(), layout, ranks, place, warnings);
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    ranks[i] = std::max(ranks[i], KeptRanks[i]);
+  }
+  const std::map<std::string, MesoBakedParameter> parameters = {
+    { "version", std::vector<double>{ BakerVersion } },
+    { "heights", MesoContentOf(mapper->GetHeightMap()) },
+    { "depth", std::vector<double>{ layout.Depth } },
+    { "curvatures", std::vector<double>{ layout.FirstCurvature, layout.LastCurvature } },
+    { "rank", std::vector<double>{ double(ranks[0]), double(ranks[1]) } },
+  };
+  return MesoBakeOnce(
+    Kind, parameters, [&] { return Bake(mapper->GetHeightMap(), layout, ranks, place, warnings); },
+    warnings)
+    .Table;
+}
+
+MesoBaked Read(const std::string& baked, const std::string& place)
+{
+  try
+  {
+    return MesoReadBaked(baked, Kind);
+  }
+  catch (const MesoInputError& problem)
+  {
+    throw MesoInputError(place + ": " + problem.what());
+  }
+}
+}
+
+void MesoSetVDMTable(vtkMesoVDMMapper* mapper, const std::string& baked, vtkPolyData* mesh,
+  const std::string& place, std::vector<std::string>& warnings)
+{
+  const MesoMesostructureOptions& options = mapper->GetOptions();
+  if (!mapper->GetHeightMap() || MesoEffectsOn(options).Empty() || !(options.Scale > 0.))
+  {
+    return;
+  }
+  vtkSmartPointer<vtkImageData> table;
+  if (baked.empty())
+  {
+    table = BakeOnce(mapper, MesoDepthInTiles(mesh, options), place, warnings);
+  }
+  else
+  {
+    table = Read(baked, place + ".baked").Table;
+    if (options.Quality == MesoQuality::Full && !table->GetPointData()->GetArray("VDM"))
+    {
+      warnings.push_back(place + ".baked: " + baked +
+        ": holds the factors of a table, so that quality full is that of all of them");
+    }
+  }
+  mapper->SetTable(table);
+  if (!mapper->GetTable())
+  {
+    throw MesoInputError(place + ": " + (baked.empty() ? "the table" : baked) +
+      ": is no table of view-dependent displacements");
+  }
+}
+
+vtkSmartPointer<vtkImageData> MesoReadVDMHeights(
+  const std::string& baked, const std::string& place)
+{
+  const MesoBaked file = Read(baked, place);
+  auto* heights =
+    vtkFloatArray::SafeDownCast(file.Table->GetFieldData()->GetArray("Heights"));
+  int size[3];
+  file.Table->GetDimensions(size);
+  if (!heights || heights->GetNumberOfValues() != vtkIdType(size[0]) * size[1])
+  {
+    throw MesoInputError(place + ": " + baked + ": holds no heights of its size");
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size[0], size[1], 1);
+  image->GetPointData()->SetScalars(heights);
+  return image;
+}

@@ -1,0 +1,112 @@
+// View-dependent displacement mapping: Wang2003 (Documentation/Techniques/References.md).
+// Model: around the fragment the base is a circle in the plane of ray and normal, and a table tells where
+// the ray meets the relief over it. Stands on Kernels/VDMTable, Kernels/Quadric, Common/VDMAccess.
+// Completes Common/ReliefSurface.
+//   MESO_CURVATURE       the base has the curvature of the vertices; without it, it is flat
+//   MESO_SILHOUETTE      rays beyond the largest polar angle at which there is relief are not drawn
+//   MESO_VDM_FLAT_SHADOW light comes out of a flat base, as in the paper
+
+// 1 / tile, of the base along a direction over the map: quadric z = c rho^2 / 2, in units of the depth.
+float tableCurvature(MesoFragment f, VDMLayout table, vec2 over)
+{
+#ifdef MESO_CURVATURE
+  return clamp(2.0 * table.Depth * quadricDepth(f.Quadric, over), table.FirstCurvature,
+    table.LastCurvature);
+#else
+  return clamp(0.0, table.FirstCurvature, table.LastCurvature);
+#endif
+}
+
+bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
+{
+  VDMLayout table = vdmTable();
+  vec3 rate; // of u, v and depth along the view ray
+  if (!directionInTS(f, f.ViewVC, rate))
+  {
+    return false;
+  }
+  VDMDirection ray;
+  if (!vdmDirection(rate, table.Depth, ray))
+  {
+#ifdef MESO_SILHOUETTE
+    hit.Found = false;
+#endif
+    return false;
+  }
+  float curvature = tableCurvature(f, table, ray.Over);
+  float place = vdmCurvaturePlace(table, curvature);
+  float stored = sampleVDM(
+    f.MapCoord, ray.Turns, vdmPolarPlace(table, ray.Polar), place, 0.0, hit.Fetches);
+#ifdef MESO_SILHOUETTE
+  // Where the base is not convex every ray comes down to the relief.
+  if (curvature > 0.0 && ray.Polar > VDMRightAngle *
+        sampleMVM(f.MapCoord, ray.Turns, place, 0.0, hit.Fetches))
+  {
+    hit.Found = false;
+    return false;
+  }
+#endif
+  VDMPoint point = vdmPoint(table, ray.Sine, ray.Cosine, curvature, stored);
+  hit.RayLength = point.RayLength / ray.Length;
+  hit.MapCoord = f.MapCoord + point.Offset * ray.Over;
+  hit.Relief = clamp(point.Depth / table.Depth, 0.0, 1.0);
+  hit.TexelReads = 8 * hit.Fetches;
+  return true;
+}
+
+// Over the quadric's own frame at the hit.
+vec3 reliefNormal(MesoFragment f, MesoSurfaceHit hit, vec2 gradient)
+{
+  return normalOfCross(f,
+    displacedCross(f.Quadric, f.Metric, hit.MapCoord - f.MapCoord, hit.Relief, gradient));
+}
+
+// How far along a ray what the table holds of the hit may lie before it: the table knows the ray to half a
+// texel, across which the facet's depth differs by its slope, and its numbers to twice their root mean
+// square error. closing: depth that ray and facet gain on each other a length of the ray.
+float shadowTolerance(MesoFragment f, MesoSurfaceHit hit, VDMLayout table, VDMDirection into)
+{
+  vec2 slope = table.Depth * patchGradient(hit.MapCoord);
+  float closing = into.Cosine + into.Sine * dot(slope, into.Over);
+  vec2 halfTexel = 0.5 / mesoVDMTexels;
+  float apart = dot(abs(slope), halfTexel) + 2.0 * mesoVDMError;
+  return apart / max(closing, 0.01);
+}
+
+// Light is looked up as a ray that comes in where it leaves the base, and is blocked where that ray meets
+// the relief before the hit.
+float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, float lightDistance,
+  out int fetches)
+{
+  fetches = 0;
+  VDMLayout table = vdmTable();
+  float depth = max(hit.Relief + lift.z, 0.0) * table.Depth;
+  vec2 start = hit.MapCoord + lift.xy;
+#ifdef MESO_VDM_FLAT_SHADOW
+  float slope = travel.z;
+  float curvature = clamp(0.0, table.FirstCurvature, table.LastCurvature);
+#else
+  // In the frame of the base below the hit, which has turned since the fragment.
+  float slope = travel.z - dot(quadricGradient(f.Quadric, hit.MapCoord - f.MapCoord), travel.xy);
+  float curvature = tableCurvature(f, table, normalize(travel.xy + vec2(1.0e-20, 0.0)));
+#endif
+  float over = length(travel.xy);
+  float rise = -slope * table.Depth;
+  if (!(rise > 0.0) && !(curvature > 0.0 && over > 0.0))
+  {
+    return 1.0; // the light does not come out of the base
+  }
+  float size = length(vec2(over, rise));
+  float sineOut;
+  float cosineOut;
+  VDMPoint way = vdmWayOut(curvature, depth, over / size, rise / size, sineOut, cosineOut);
+  VDMDirection into; // from where it comes out
+  if (!vdmDirection(vec3(-travel.xy / max(over, 1.0e-20) * sineOut, cosineOut), 1.0, into))
+  {
+    return 0.0;
+  }
+  float stored = sampleVDM(start - way.Offset * into.Over, into.Turns,
+    vdmPolarPlace(table, into.Polar), vdmCurvaturePlace(table, curvature), 0.0, fetches);
+  float reached = vdmPoint(table, into.Sine, into.Cosine, curvature, stored).RayLength;
+  return reached < way.RayLength - shadowTolerance(f, hit, table, into) ? 1.0 : 0.0;
+}

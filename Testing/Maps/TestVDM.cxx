@@ -1,0 +1,506 @@
+// Tables of view-dependent displacements: closed forms, tiny maps by brute force, factors.
+
+#include "vtkMesoVDM.h"
+
+#include "ErrorRecorder.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace
+{
+const double Pi = std::acos(-1.);
+
+vtkSmartPointer<vtkImageData> MakeMap(
+  int width, int height, const std::function<double(int, int)>& heightAt)
+{
+  vtkNew<vtkFloatArray> heights;
+  for (int row = 0; row < height; ++row)
+  {
+    for (int column = 0; column < width; ++column)
+    {
+      heights->InsertNextValue(static_cast<float>(heightAt(column, row)));
+    }
+  }
+  auto map = vtkSmartPointer<vtkImageData>::New();
+  map->SetDimensions(width, height, 1);
+  map->GetPointData()->SetScalars(heights);
+  return map;
+}
+
+vtkSmartPointer<vtkImageData> RandomMap(int width, int height)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.1, 1.);
+  return MakeMap(width, height, [&](int, int) { return uniform(random); });
+}
+
+MesoVDMLayout SmallLayout(int width, int height)
+{
+  MesoVDMLayout layout;
+  layout.Width = width;
+  layout.Height = height;
+  layout.Azimuths = 12;
+  layout.Polars = 5;
+  layout.Curvatures = 4; // -1.5, 0, 1.5, 3
+  layout.FirstCurvature = -1.5;
+  layout.LastCurvature = 3.;
+  layout.Depth = 0.15;
+  return layout;
+}
+
+/// A number of the table itself, in [0, 1].
+double NumberAt(vtkImageData* table, const MesoVDMLayout& layout, int column, int row, int azimuth,
+  int polar, int curvature)
+{
+  const vtkIdType tuple =
+    (vtkIdType(azimuth) * layout.Height + row) * layout.Width + column;
+  return table->GetPointData()->GetArray("VDM")->GetComponent(
+           tuple, curvature * layout.Polars + polar) /
+    65535.;
+}
+
+double AngleAt(vtkImageData* table, const MesoVDMLayout& layout, int column, int row, int azimuth,
+  int curvature)
+{
+  const vtkIdType tuple =
+    (vtkIdType(azimuth) * layout.Height + row) * layout.Width + column;
+  return table->GetPointData()->GetArray("MVM")->GetComponent(tuple, curvature) / 65535. * Pi / 2.;
+}
+
+/// The relief in the plane of a ray, bent about the centre of curvature, as a place knows it: written with
+/// points of the plane, without the kernel's formulas.
+class BentRelief
+{
+public:
+  BentRelief(vtkImageData* map, const MesoVDMLayout& layout, int column, int row, double azimuth,
+    double curvature)
+    : Map(map)
+    , Layout(layout)
+    , Column(column)
+    , Row(row)
+    , Azimuth(azimuth)
+    , Curvature(curvature)
+  {
+  }
+
+  /// Depth of the relief below a place of the base.
+  double ReliefAt(double offset) const
+  {
+    const double x = this->Column + offset * std::cos(this->Azimuth) * this->Layout.Width;
+    const double y = this->Row + offset * std::sin(this->Azimuth) * this->Layout.Height;
+    const double i = std::floor(x);
+    const double j = std::floor(y);
+    const auto at = [&](double column, double row)
+    {
+      const int c = static_cast<int>(column - this->Layout.Width * std::floor(column / this->Layout.Width));
+      const int r = static_cast<int>(row - this->Layout.Height * std::floor(row / this->Layout.Height));
+      return this->Map->GetScalarComponentAsDouble(c, r, 0, 0);
+    };
+    const double height =
+      (1. - (y - j)) * ((1. - (x - i)) * at(i, j) + (x - i) * at(i + 1., j)) +
+      (y - j) * ((1. - (x - i)) * at(i, j + 1.) + (x - i) * at(i + 1., j + 1.));
+    return this->Layout.Depth * (1. - height);
+  }
+
+  struct Place
+  {
+    double Offset;
+    double Depth;
+  };
+
+  /// Of a point of the plane: along the tangent at the entry, and inwards.
+  Place PlaceOf(double along, double inwards) const
+  {
+    if (this->Curvature == 0.)
+    {
+      return { along, inwards };
+    }
+    const double radius = 1. / this->Curvature;
+    const double side = this->Curvature > 0. ? 1. : -1.;
+    const double angle = std::atan2(along, side * (radius - inwards)); // at the centre
+    return { std::abs(radius) * angle,
+      radius - side * std::hypot(along, radius - inwards) };
+  }
+
+  /// The first point of a ray in the relief by small steps and halving; false where it comes out.
+  bool March(double polar, Place& place, double& length) const
+  {
+    const double step = 0.02 / std::max(this->Layout.Width, this->Layout.Height);
+    double before = 0.;
+    for (double t = 0.;; t += step)
+    {
+      const Place here = this->PlaceOf(t * std::sin(polar), t * std::cos(polar));
+      if (t > 0. && here.Depth < 0.)
+      {
+        return false;
+      }
+      if (here.Depth >= this->ReliefAt(here.Offset))
+      {
+        double low = before;
+        double high = t;
+        for (int i = 0; i < 50; ++i)
+        {
+          const double middle = 0.5 * (low + high);
+          const Place there = this->PlaceOf(middle * std::sin(polar), middle * std::cos(polar));
+          (there.Depth >= this->ReliefAt(there.Offset) ? high : low) = middle;
+        }
+        length = high;
+        place = this->PlaceOf(high * std::sin(polar), high * std::cos(polar));
+        return true;
+      }
+      before = t;
+    }
+  }
+
+private:
+  vtkImageData* Map;
+  const MesoVDMLayout& Layout;
+  int Column;
+  int Row;
+  double Azimuth;
+  double Curvature;
+};
+
+/// What is to be stored of a point, in tiles.
+double Expected(const MesoVDMLayout& layout, double polar, double curvature,
+  const BentRelief::Place& place, double length)
+{
+  switch (layout.Stores)
+  {
+    case MesoVDMStores::Offset:
+      return place.Offset;
+    case MesoVDMStores::Distance:
+      return place.Offset / std::sin(polar);
+    default:
+      break;
+  }
+  // The ray is deepest at the foot of the perpendicular from the centre.
+  const bool rises = curvature > 0. && length > std::cos(polar) / curvature;
+  return rises ? 2. * (1. - std::sin(polar)) / curvature - place.Depth : place.Depth;
+}
+
+vtkSmartPointer<vtkImageData> Bake(vtkImageData* map, const MesoVDMLayout& layout, int rank = 0,
+  MesoVDMCurved curved = MesoVDMCurved::Exact, int bits = 16)
+{
+  vtkNew<vtkMesoVDM> filter;
+  filter->SetInputData(map);
+  filter->SetLayout(layout);
+  filter->SetCurved(curved);
+  filter->SetRanks(rank, rank);
+  filter->SetBits(bits);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// The stored number that the first factors of a table stand for.
+double FactoredAt(vtkImageData* table, vtkIdType tuple, int column, int rank)
+{
+  vtkFieldData* data = table->GetFieldData();
+  vtkDataArray* weights = table->GetPointData()->GetScalars();
+  const double largest = weights->GetDataTypeMax();
+  double sum = 0.;
+  for (int i = 0; i < rank; ++i)
+  {
+    sum += (data->GetArray("WeightLow")->GetTuple1(i) +
+             data->GetArray("WeightWidth")->GetTuple1(i) * weights->GetComponent(tuple, i) / largest) *
+      data->GetArray("VDMFunctions")->GetComponent(column, i);
+  }
+  return sum;
+}
+
+double RootMeanSquareError(
+  vtkImageData* factored, vtkImageData* table, const MesoVDMLayout& layout, int rank)
+{
+  vtkDataArray* numbers = table->GetPointData()->GetArray("VDM");
+  double sum = 0.;
+  for (vtkIdType tuple = 0; tuple < numbers->GetNumberOfTuples(); ++tuple)
+  {
+    for (int column = 0; column < layout.DistanceColumns(); ++column)
+    {
+      const double error = FactoredAt(factored, tuple, column, rank) -
+        numbers->GetComponent(tuple, column) / 65535.;
+      sum += error * error;
+    }
+  }
+  return std::sqrt(sum / double(numbers->GetNumberOfValues()));
+}
+}
+
+TEST(VDM, OfTinyMapsIsThatOfBruteForce)
+{
+  for (const auto stores : { MesoVDMStores::Depth, MesoVDMStores::Distance, MesoVDMStores::Offset })
+  {
+    MesoVDMLayout layout = SmallLayout(8, 6);
+    layout.Stores = stores;
+    vtkSmartPointer<vtkImageData> map = RandomMap(8, 6);
+    vtkSmartPointer<vtkImageData> table = Bake(map, layout);
+    const double range = layout.Range();
+    int met = 0;
+    int missed = 0;
+    for (int k = 0; k < layout.Curvatures; ++k)
+    {
+      for (int azimuth = 0; azimuth < layout.Azimuths; ++azimuth)
+      {
+        for (int i = 0; i < layout.Polars; ++i)
+        {
+          const int column = (azimuth * 5 + i + k) % layout.Width;
+          const int row = (azimuth + 3 * i + k) % layout.Height;
+          const double polar = layout.PolarAt(i);
+          const double curvature = layout.CurvatureAt(k);
+          const BentRelief relief(
+            map, layout, column, row, 2. * Pi * azimuth / layout.Azimuths, curvature);
+          BentRelief::Place place = {};
+          double length = 0.;
+          const double angle = AngleAt(table, layout, column, row, azimuth, k);
+          if (!relief.March(polar, place, length))
+          {
+            ++missed;
+            EXPECT_LT(angle, polar + 1e-4);
+            continue;
+          }
+          ++met;
+          EXPECT_GT(angle, polar - 1e-4);
+          EXPECT_NEAR(NumberAt(table, layout, column, row, azimuth, i, k) * range,
+            Expected(layout, polar, curvature, place, length), 2e-5 * range + 1e-6)
+            << static_cast<int>(stores) << ": " << column << " " << row << " " << azimuth << " " << i
+            << " " << k;
+        }
+      }
+    }
+    EXPECT_GT(met, 150);
+    EXPECT_GT(missed, 10);
+  }
+}
+
+TEST(VDM, LargestAnglesAreThoseOfBruteForce)
+{
+  const MesoVDMLayout layout = SmallLayout(8, 6);
+  vtkSmartPointer<vtkImageData> map = RandomMap(8, 6);
+  vtkSmartPointer<vtkImageData> table = Bake(map, layout);
+  for (int k = 0; k < layout.Curvatures; ++k)
+  {
+    for (int azimuth = 0; azimuth < layout.Azimuths; azimuth += 5)
+    {
+      const int column = (azimuth + 2 * k) % layout.Width;
+      const int row = (3 * azimuth + k) % layout.Height;
+      const double angle = AngleAt(table, layout, column, row, azimuth, k);
+      if (layout.CurvatureAt(k) <= 0.)
+      {
+        EXPECT_NEAR(angle, Pi / 2., 1e-9); // every ray comes down
+        continue;
+      }
+      const double radius = 1. / layout.CurvatureAt(k);
+      const BentRelief relief(
+        map, layout, column, row, 2. * Pi * azimuth / layout.Azimuths, layout.CurvatureAt(k));
+      double flattest = 0.;
+      for (int i = 1; i < 100000; ++i)
+      {
+        const double offset = Pi * radius * i / 100000.;
+        const double left = radius - relief.ReliefAt(offset);
+        flattest = std::max(flattest,
+          std::atan2(left * std::sin(offset / radius), radius - left * std::cos(offset / radius)));
+      }
+      EXPECT_NEAR(angle, flattest, 4e-5) << column << " " << row << " " << azimuth << " " << k;
+    }
+  }
+}
+
+TEST(VDM, OfALevelMapIsTheClosedForm)
+{
+  MesoVDMLayout layout = SmallLayout(4, 4);
+  vtkSmartPointer<vtkImageData> map = MakeMap(9, 5, [](int, int) { return 0.25; });
+  vtkSmartPointer<vtkImageData> table = Bake(map, layout);
+  const double depth = 0.75 * layout.Depth;
+  for (int k = 0; k < layout.Curvatures; ++k)
+  {
+    // A ray that touches the level's circle is the flattest that meets it.
+    const double flattest = std::asin(std::min(1., 1. - layout.CurvatureAt(k) * depth));
+    EXPECT_NEAR(AngleAt(table, layout, 1, 2, 3, k),
+      layout.CurvatureAt(k) > 0. ? flattest : Pi / 2., 3e-5);
+    for (int i = 0; i < layout.Polars; ++i)
+    {
+      // Where it is missed: the point that is touched, which is as deep.
+      EXPECT_NEAR(
+        NumberAt(table, layout, 1, 2, 3, i, k) * layout.Range(), depth, 2e-5 * layout.Range());
+    }
+  }
+}
+
+TEST(VDM, OfAHighMapLiesOnTheBase)
+{
+  const MesoVDMLayout layout = SmallLayout(4, 4);
+  vtkSmartPointer<vtkImageData> table =
+    Bake(MakeMap(4, 4, [](int, int) { return 1.; }), layout);
+  for (int azimuth = 0; azimuth < layout.Azimuths; ++azimuth)
+  {
+    for (int k = 0; k < layout.Curvatures; ++k)
+    {
+      EXPECT_EQ(NumberAt(table, layout, 1, 2, azimuth, 3, k), 0.);
+      EXPECT_NEAR(AngleAt(table, layout, 1, 2, azimuth, k), Pi / 2., 1e-12);
+    }
+  }
+}
+
+TEST(VDM, BendsFlatPointsAsTheAppendixDoes)
+{
+  // Of a level map the bent points lie on the bent level, so that only the resampling is off: flat points
+  // stand for what they are where many angles are sampled.
+  MesoVDMLayout layout = SmallLayout(4, 4);
+  layout.Polars = 40;
+  vtkSmartPointer<vtkImageData> map = RandomMap(8, 8);
+  vtkSmartPointer<vtkImageData> level = MakeMap(4, 4, [](int, int) { return 0.25; });
+  vtkSmartPointer<vtkImageData> bent = Bake(level, layout, 0, MesoVDMCurved::Bent);
+  for (int k = 0; k < layout.Curvatures; ++k)
+  {
+    for (int i = 0; i < layout.Polars; ++i)
+    {
+      EXPECT_NEAR(NumberAt(bent, layout, 1, 2, 3, i, k) * layout.Range(), 0.75 * layout.Depth,
+        2e-5 * layout.Range());
+    }
+  }
+  // Both ways agree where the base is flat, and differ elsewhere by what is seen after bending alone.
+  vtkSmartPointer<vtkImageData> exact = Bake(map, layout);
+  bent = Bake(map, layout, 0, MesoVDMCurved::Bent);
+  double sum = 0.;
+  for (int i = 0; i < layout.Polars; ++i)
+  {
+    for (int azimuth = 0; azimuth < layout.Azimuths; ++azimuth)
+    {
+      EXPECT_EQ(NumberAt(exact, layout, 1, 2, azimuth, i, 1), NumberAt(bent, layout, 1, 2, azimuth, i, 1));
+      sum += std::abs(NumberAt(exact, layout, 1, 2, azimuth, i, 2) -
+        NumberAt(bent, layout, 1, 2, azimuth, i, 2));
+    }
+  }
+  const double mean = sum / layout.Polars / layout.Azimuths * layout.Range();
+  EXPECT_GT(mean, 1e-6);
+  EXPECT_LT(mean, 0.05 * layout.Depth);
+}
+
+TEST(VDM, MoreFactorsLeaveLess)
+{
+  const MesoVDMLayout layout = SmallLayout(16, 16);
+  vtkSmartPointer<vtkImageData> map = RandomMap(16, 16);
+  vtkSmartPointer<vtkImageData> table = Bake(map, layout);
+  vtkSmartPointer<vtkImageData> factored = Bake(map, layout, layout.Columns());
+  double before = 1.;
+  for (const int rank : { 1, 2, 4, 8, 12 })
+  {
+    const double error = RootMeanSquareError(factored, table, layout, rank);
+    EXPECT_LT(error, before);
+    before = error;
+  }
+  // All of them are the table, to the bits of weights and of the table.
+  EXPECT_LT(RootMeanSquareError(factored, table, layout, layout.Columns()), 3e-5);
+  // Fewer bits leave more, and what they leave alone is small.
+  const double of16 = RootMeanSquareError(Bake(map, layout, 8), table, layout, 8);
+  const double of8 =
+    RootMeanSquareError(Bake(map, layout, 8, MesoVDMCurved::Exact, 8), table, layout, 8);
+  EXPECT_GT(of8, of16);
+  EXPECT_LT(of8, of16 + 5e-3);
+}
+
+TEST(VDM, FactorsOfAConstantTableAreIt)
+{
+  const MesoVDMLayout layout = SmallLayout(4, 4);
+  vtkSmartPointer<vtkImageData> map = MakeMap(4, 4, [](int, int) { return 1.; });
+  vtkSmartPointer<vtkImageData> factored = Bake(map, layout, 4);
+  EXPECT_LT(RootMeanSquareError(factored, Bake(map, layout), layout, 4), 1e-6);
+}
+
+TEST(VDM, ResamplesMapsOfAnySize)
+{
+  // A wave over 4 tables' texels: of it as large a map and a finer one are the same to the mean over a
+  // texel.
+  const MesoVDMLayout layout = SmallLayout(32, 32);
+  const auto wave = [](int size)
+  {
+    return MakeMap(size, size,
+      [size](int i, int) { return 0.5 + 0.3 * std::cos(2. * Pi * (i + 0.5) / size); });
+  };
+  const auto heightAt = [](vtkImageData* table, int i)
+  { return table->GetFieldData()->GetArray("Heights")->GetTuple1(i); };
+  vtkSmartPointer<vtkImageData> same = Bake(wave(32), layout);
+  vtkSmartPointer<vtkImageData> finer = Bake(wave(96), layout);
+  vtkSmartPointer<vtkImageData> coarser = Bake(wave(16), layout);
+  for (int i = 0; i < 32; ++i)
+  {
+    const double exact = 0.5 + 0.3 * std::cos(2. * Pi * (i + 0.5) / 32);
+    EXPECT_NEAR(heightAt(same, i), exact, 1e-6);
+    EXPECT_NEAR(heightAt(finer, i), exact, 2e-3);
+    EXPECT_NEAR(heightAt(coarser, i), exact, 2e-2);
+  }
+}
+
+TEST(VDM, ReadsItsLayoutBack)
+{
+  MesoVDMLayout layout = SmallLayout(5, 7);
+  layout.Nodes = MesoVDMNodes::Cosine;
+  layout.Stores = MesoVDMStores::Offset;
+  vtkSmartPointer<vtkImageData> table = Bake(RandomMap(5, 7), layout);
+  const MesoVDMLayout read = MesoVDMLayout::Read(table);
+  EXPECT_EQ(read.Width, 5);
+  EXPECT_EQ(read.Azimuths, layout.Azimuths);
+  EXPECT_EQ(read.Nodes, layout.Nodes);
+  EXPECT_EQ(read.Stores, layout.Stores);
+  EXPECT_EQ(read.Depth, layout.Depth);
+  EXPECT_EQ(read.Range(), layout.Range());
+  table->GetFieldData()->RemoveArray("VDMNumbers");
+  EXPECT_THROW(MesoVDMLayout::Read(table), std::runtime_error);
+}
+
+TEST(VDM, RefusesWhatMakesNoTable)
+{
+  struct Case
+  {
+    std::function<void(MesoVDMLayout&)> Change;
+    const char* Says;
+  };
+  const Case cases[] = {
+    { [](MesoVDMLayout& layout) { layout.Depth = 0.4; }, "beyond the centre of the curvature" },
+    { [](MesoVDMLayout& layout) { layout.Depth = 0.; }, "the depth must be" },
+    { [](MesoVDMLayout& layout) { layout.Polars = 1; }, "polar angles" },
+    { [](MesoVDMLayout& layout) { layout.FirstCurvature = 4.; }, "less than the last" },
+  };
+  for (const Case& wrong : cases)
+  {
+    MesoVDMLayout layout = SmallLayout(4, 4);
+    wrong.Change(layout);
+    EXPECT_NE(layout.Problem().find(wrong.Says), std::string::npos) << layout.Problem();
+    vtkNew<vtkMesoVDM> filter;
+    ErrorRecorder recorder;
+    recorder.Watch(filter);
+    filter->SetInputData(RandomMap(4, 4));
+    filter->SetLayout(layout);
+    filter->Update();
+    ASSERT_EQ(recorder.Errors.size(), 1u);
+    EXPECT_NE(recorder.Errors[0].find(wrong.Says), std::string::npos) << recorder.Errors[0];
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST(VDM, StopsWhereItIsAborted)
+{
+  struct Abort
+  {
+    vtkMesoVDM* Filter;
+    void AtOnce(vtkObject*, unsigned long, void*) { this->Filter->AbortExecuteOn(); }
+  };
+  vtkNew<vtkMesoVDM> filter;
+  filter->SetInputData(RandomMap(8, 8));
+  filter->SetLayout(SmallLayout(8, 8));
+  Abort abort = { filter };
+  filter->AddObserver(vtkCommand::ProgressEvent, &abort, &Abort::AtOnce);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
