@@ -16,6 +16,7 @@ namespace
 const std::vector<std::string> LaterTechniques = { "geometry-image", "slices" };
 
 constexpr double MostFactors = 12.;
+constexpr double MostFactorsOfVolumes = 64.;
 
 MesoSceneMap ReadMap(const MesoSceneValue& value)
 {
@@ -211,9 +212,14 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
     value.Refuse({ "segments" }, technique + " has no prisms that rays run through");
     return;
   }
-  if (!node.Volume)
+  const bool tabled = options.Technique == MesoTechnique::GDM;
+  if (!node.Baked.empty())
   {
-    value.Fail(technique + " needs a volume or a tile_mesh");
+    value.Refuse({ "volume", "tile_mesh" }, "the baked table has its volume in it");
+  }
+  else if (!node.Volume)
+  {
+    value.Fail(technique + " needs a volume or a tile_mesh" + (tabled ? ", or a baked table" : ""));
   }
   if (!value.Has("scale"))
   {
@@ -249,7 +255,8 @@ void CheckHasScale(const MesoSceneValue& value, const std::string& technique)
 void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
 {
   MesoMesostructureOptions& options = node.Mesostructure;
-  const bool tabled = options.Technique == MesoTechnique::VDM;
+  const bool tabled =
+    options.Technique == MesoTechnique::VDM || options.Technique == MesoTechnique::GDM;
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (tabled && options.Wrap != MesoWrap::Repeat)
   {
@@ -265,6 +272,11 @@ void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
       if (options.Quality == MesoQuality::Full)
       {
         ranks.Fail("quality full is the table itself, without factors");
+      }
+      if (options.Technique == MesoTechnique::GDM)
+      {
+        options.Rank = { static_cast<int>(ranks.ToInteger({ 1., MostFactorsOfVolumes, true })), 0 };
+        return;
       }
       const MesoSceneRange range = { 1., MostFactors, true };
       const auto list = ranks.ToList(2);

@@ -3,6 +3,7 @@
 #include "MesoAlgorithmRun.h"
 #include "MesoGDMInput.h"
 #include "MesoScene.h"
+#include "MesoVolumeInput.h"
 #include "vtkImageData.h"
 #include "vtkMesoPrismShell.h"
 #include "vtkNew.h"
@@ -64,13 +65,26 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
   return shell->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> MesoMakeShellTable(vtkImageData* volume,
-  const MesoMesostructureOptions& options, const std::string& place,
-  std::vector<std::string>& warnings)
+MesoShellVolume MesoReadShellVolume(
+  const MesoSceneNode& node, const std::string& place, std::vector<std::string>& warnings)
 {
-  constexpr int ordinaryRank = 16;
-  const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
-  return MesoMakeGDM(volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+  const MesoMesostructureOptions& options = node.Mesostructure;
+  MesoShellVolume result;
+  if (!node.Baked.empty())
+  {
+    result.Table = MesoReadGDM(node.Baked, place + ".baked");
+    result.Volume = MesoVolumeOfGDM(result.Table);
+    return result;
+  }
+  result.Volume = MesoReadVolume(*node.Volume, place + ".volume", warnings);
+  if (options.Technique == MesoTechnique::GDM)
+  {
+    constexpr int ordinaryRank = 16;
+    const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
+    result.Table = MesoMakeGDM(
+      result.Volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+  }
+  return result;
 }
 
 void MesoCheckShellMaterial(const MesoSceneMaterial& material, const std::string& inScene)
