@@ -65,8 +65,7 @@ TEST(VolumeReference, FindsWhatADenseMarchFinds)
     const glm::dvec3 origin = through - 3. * direction;
     MesoPrismHit hit;
     MesoSolverWork work;
-    const bool found =
-      MesoFirstInPrism(prism, volume, origin, direction, 0., 6., hit, work);
+    const bool found = MesoFirstInPrism(prism, volume, origin, direction, 0., 6., hit, work);
     // Places are found by the cubic anew at each step.
     double first = -1.;
     constexpr int steps = 6000;
@@ -128,8 +127,8 @@ TEST(VolumeReference, TheTopOfASphereIsAScaledSphere)
 {
   // Where foam reaches the top of the shell its cut is seen, and the top is the facets of a sphere scaled by
   // 1 + H: a prism map that made normals unit between the corners would miss it.
-  ReferenceWorld shell(
-    Node(R"({"shape": "sphere"})", R"({"pattern": "foam", "size": [16, 16, 8]})", R"("scale": 0.2)"));
+  ReferenceWorld shell(Node(
+    R"({"shape": "sphere"})", R"({"pattern": "foam", "size": [16, 16, 8]})", R"("scale": 0.2)"));
   ReferenceWorld plain(R"([{"mesh": {"shape": "sphere", "radius": 1.2}}])");
   RandomNumbers random(4);
   int same = 0;
@@ -214,8 +213,8 @@ TEST(VolumeReference, WhatItDoesNotShowIsRefused)
   {
     try
     {
-      ReferenceWorld world(Node(R"({"shape": "sphere"})", R"({"pattern": "weave", "size": [8, 8, 4]})",
-                             R"("scale": 0.2)"),
+      ReferenceWorld world(Node(R"({"shape": "sphere"})",
+                             R"({"pattern": "weave", "size": [8, 8, 4]})", R"("scale": 0.2)"),
         smooth, facets);
     }
     catch (const MesoInputError& error)

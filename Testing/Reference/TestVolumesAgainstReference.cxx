@@ -154,8 +154,8 @@ TEST(VolumesAgainstReference, AHeightFieldIsWhatReliefDraws)
     scene.Renderer->SetPass(pass);
     scene.Window->Render();
     scene.Renderer->SetPass(nullptr);
-    seen.push_back(
-      pass->GetInterleaved({ "coverage", "depth", "texcoord.u", "relief", "normal.x", "shadow.0" }));
+    seen.push_back(pass->GetInterleaved(
+      { "coverage", "depth", "texcoord.u", "relief", "normal.x", "shadow.0" }));
   }
   int both = 0;
   int shadows = 0;

@@ -15,8 +15,9 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
   { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::VDM, "vdm" },
-  { MesoTechnique::GDM, "gdm" }, { MesoTechnique::ShellSDF, "shell-sdf" },
-  { MesoTechnique::Displacement, "displacement" }, { MesoTechnique::Tessellated, "tessellated" } };
+  { MesoTechnique::GDM, "gdm" }, { MesoTechnique::Slices, "slices" },
+  { MesoTechnique::ShellSDF, "shell-sdf" }, { MesoTechnique::Displacement, "displacement" },
+  { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
   { MesoQuality::Certified, "certified" }, { MesoQuality::Full, "full" } };
@@ -360,6 +361,7 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
     case MesoTechnique::GDM:
+    case MesoTechnique::Slices:
     case MesoTechnique::ShellSDF:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow,

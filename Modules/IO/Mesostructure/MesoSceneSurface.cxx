@@ -13,7 +13,7 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "geometry-image", "slices" };
+const std::vector<std::string> LaterTechniques = { "geometry-image" };
 
 constexpr double MostFactors = 12.;
 constexpr double MostFactorsOfVolumes = 64.;
@@ -236,6 +236,10 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   if (options.Wrap != MesoWrap::Repeat)
   {
     value.At("wrap").Fail("a volume repeats");
+  }
+  if (options.Technique == MesoTechnique::Slices)
+  {
+    value.Refuse({ "segments" }, technique + " has no rays that run through prisms");
   }
   value.With("segments",
     [&](const MesoSceneValue& number) {

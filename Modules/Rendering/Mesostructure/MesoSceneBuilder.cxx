@@ -425,7 +425,8 @@ void MesoSceneBuilder::MakeMapper(
   }
   else if (MesoUsesVolume(object.Options.Technique) && !MesoEffectsOn(object.Options).Empty())
   {
-    object.Mesh = MesoMakeShell(object.Base, object.Options, inScene, this->Warnings);
+    object.Mesh =
+      MesoMakeShell(object.Base, object.Volume, object.Options, inScene, this->Warnings);
     vtkNew<vtkMesoShellMapper> shell;
     shell->SetVolume(object.Volume);
     shell->SetTable(object.VolumeTable);

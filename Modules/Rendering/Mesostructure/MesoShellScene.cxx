@@ -27,7 +27,7 @@ std::string FirstOf(const std::vector<vtkIdType>& numbers)
 }
 }
 
-vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
+vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volume,
   const MesoMesostructureOptions& options, const std::string& inScene,
   std::vector<std::string>& warnings)
 {
@@ -51,6 +51,11 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
   shell->SetThickness(options.Scale);
   shell->SetReference(options.Reference);
   shell->SetTiles(options.Tiles[0], options.Tiles[1]);
+  if (options.Technique == MesoTechnique::Slices)
+  {
+    const double slices = volume->GetDimensions()[2] * MesoFacetsPerTexel(options.Quality);
+    shell->SetSlices(std::max(1, static_cast<int>(slices)));
+  }
   MesoRunAlgorithm(shell, inScene + ".mesh", warnings);
   const std::vector<vtkIdType>& inverted = shell->GetInvertedTriangles();
   if (!inverted.empty())
@@ -81,8 +86,8 @@ MesoShellVolume MesoReadShellVolume(
   {
     constexpr int ordinaryRank = 16;
     const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
-    result.Table = MesoMakeGDM(
-      result.Volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+    result.Table =
+      MesoMakeGDM(result.Volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
   }
   return result;
 }

@@ -54,7 +54,6 @@ void MesoVolumeMap::SetUniforms(vtkShaderProgram* program)
 {
   if (this->SetSampler(program, "mesoVolume") && program->IsUniformUsed("mesoVolumeDepth"))
   {
-    program->SetUniformf(
-      "mesoVolumeDepth", static_cast<float>(MesoVolumeDepth(this->GetImage())));
+    program->SetUniformf("mesoVolumeDepth", static_cast<float>(MesoVolumeDepth(this->GetImage())));
   }
 }

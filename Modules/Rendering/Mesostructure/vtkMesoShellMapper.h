@@ -14,6 +14,8 @@
  * - ShellSDF: along its signed distance, by steps as long as that is (sphere tracing). The quality says how
  *   short the shortest steps are: 1, 1/2, 1/4, 1/8 voxel.
  *
+ * - Slices: not at all; the input is a stack of slices of each prism (vtkMesoPrismShell's Slices), and what
+ *   of them lies in matter is drawn, from both sides (Meyer1998).
  * - GDM: by one look-up of the distance to matter in a Table of it (vtkMesoGDMTable) for each piece of a
  *   ray's way, and one for each light. The quality Full is a whole table.
  *
