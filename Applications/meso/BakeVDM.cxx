@@ -14,7 +14,7 @@
 namespace
 {
 const std::map<std::string, MesoVDMNodes> NodeNames = { { "edges", MesoVDMNodes::Edges },
-  { "centres", MesoVDMNodes::Centres }, { "cosine", MesoVDMNodes::Cosine } };
+  { "centres", MesoVDMNodes::Centres }, { "graded", MesoVDMNodes::Graded } };
 const std::map<std::string, MesoVDMStores> StoredNames = { { "distance", MesoVDMStores::Distance },
   { "depth", MesoVDMStores::Depth }, { "offset", MesoVDMStores::Offset } };
 const std::map<std::string, MesoVDMCurved> CurvedNames = { { "exact", MesoVDMCurved::Exact },
@@ -62,8 +62,7 @@ void AddChoice(CLI::App& command, const std::string& option, T& target,
 void ParseCurvatures(const std::string& text, MesoVDMLayout& layout)
 {
   const std::size_t comma = text.find(',');
-  const auto range =
-    comma == std::string::npos ? std::nullopt : ParsePair(text.substr(comma + 1));
+  const auto range = comma == std::string::npos ? std::nullopt : ParsePair(text.substr(comma + 1));
   const auto count = ParsePair(text.substr(0, comma) + ",0");
   if (!range || !count || (*count)[0] != std::floor((*count)[0]) || !((*count)[0] >= 1.) ||
     !((*count)[0] <= 64.))

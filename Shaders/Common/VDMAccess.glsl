@@ -78,7 +78,7 @@ float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, float 
   return clamp(stored, 0.0, 1.0);
 }
 
-// The largest polar angle, of 90 degrees. The weights of sampleVDM at the same place serve again.
+// The largest polar angle, of 90 degrees; factors sum to what it leaves. The weights of sampleVDM at the same place serve again.
 float sampleMVM(vec2 mapCoord, float turns, float curvature, float level, inout int fetches)
 {
   vec3 weight = weightPlace(mapCoord, turns);
@@ -94,7 +94,7 @@ float sampleMVM(vec2 mapCoord, float turns, float curvature, float level, inout 
     textureLod(mesoMVMFunctions2, place, 0.0));
 #endif
   fetches += MESO_MVM_GROUPS + max(MESO_MVM_GROUPS - MESO_VDM_GROUPS, 0);
-  return clamp(angle, 0.0, 1.0);
+  return clamp(1.0 - angle, 0.0, 1.0);
 }
 #else
 // Slices of azimuths, the first again behind the last; of each curvature and four polar angles in the

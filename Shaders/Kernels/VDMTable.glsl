@@ -21,7 +21,7 @@ const int VDMStoresOffset = 2;   // l
 // Where a table's polar angles lie.
 const int VDMNodesEdges = 0;   // evenly from 0 to pi/2, both among them
 const int VDMNodesCentres = 1; // in the middles of even parts of [0, pi/2]
-const int VDMNodesCosine = 2;  // where cosines are in the middles of even parts of [0, 1]
+const int VDMNodesGraded = 2;  // where (1 - polar / (pi/2))^(4/5) is in the middles of even parts of [0, 1]
 
 const float VDMRightAngle = 1.57079633; // pi / 2
 const float VDMTurn = 6.28318531;       // 2 pi
@@ -127,23 +127,35 @@ float vdmCurvatureAt(VDMLayout table, float place)
   return mix(table.FirstCurvature, table.LastCurvature, place / float(table.Curvatures - 1));
 }
 
-// The same for polar angles.
-float vdmPolarPlace(VDMLayout table, float polar)
+// The same for polar angles, but not ended by them.
+float vdmOpenPolarPlace(VDMLayout table, float polar)
 {
   float place;
   if (table.Nodes == VDMNodesEdges)
   {
     place = polar / VDMRightAngle * float(table.Polars - 1);
   }
-  else if (table.Nodes == VDMNodesCosine)
+  else if (table.Nodes == VDMNodesGraded)
   {
-    place = (1.0 - cos(polar)) * float(table.Polars) - 0.5;
+    float left = max(1.0 - polar / VDMRightAngle, 0.0);
+    place = (1.0 - pow(left, 0.8)) * float(table.Polars) - 0.5;
   }
   else
   {
     place = polar / VDMRightAngle * float(table.Polars) - 0.5;
   }
-  return clamp(place, 0.0, float(table.Polars - 1));
+  return place;
+}
+
+float vdmPolarPlace(VDMLayout table, float polar)
+{
+  return clamp(vdmOpenPolarPlace(table, polar), 0.0, float(table.Polars - 1));
+}
+
+// How far a polar angle is from the first, 0, to the normal, 1.
+float vdmSteeper(VDMLayout table, float polar)
+{
+  return clamp(-2.0 * vdmOpenPolarPlace(table, polar), 0.0, 1.0);
 }
 
 float vdmPolarAt(VDMLayout table, float place)
@@ -153,7 +165,8 @@ float vdmPolarAt(VDMLayout table, float place)
     return table.Polars < 2 ? 0.0 : place / float(table.Polars - 1) * VDMRightAngle;
   }
   float part = (place + 0.5) / float(table.Polars);
-  return table.Nodes == VDMNodesCosine ? acos(1.0 - part) : part * VDMRightAngle;
+  float left = table.Nodes == VDMNodesGraded ? pow(1.0 - part, 1.25) : 1.0 - part;
+  return (1.0 - left) * VDMRightAngle;
 }
 
 // The point at an extended distance d = l / sin(polar). No quotient of near zeros: with

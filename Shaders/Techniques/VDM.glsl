@@ -17,6 +17,25 @@ float tableCurvature(MesoFragment f, VDMLayout table, vec2 over)
 #endif
 }
 
+// What the table stores for a ray. Steeper ones than its first are between that and the normal, along which
+// the map itself is the table.
+float lookUp(VDMLayout table, vec2 mapCoord, VDMDirection ray, float curvature, inout int fetches)
+{
+  float stored = sampleVDM(mapCoord, ray.Turns, vdmPolarPlace(table, ray.Polar),
+    vdmCurvaturePlace(table, curvature), 0.0, fetches);
+  float steeper = vdmSteeper(table, ray.Polar);
+  if (steeper > 0.0)
+  {
+    VDMPoint below;
+    below.Offset = 0.0;
+    below.Depth = (1.0 - bilinearHeight(mapCoord)) * table.Depth;
+    below.RayLength = below.Depth;
+    stored = mix(stored, vdmNumber(table, 0.0, 1.0, curvature, below) / table.Range, steeper);
+    fetches += 1;
+  }
+  return stored;
+}
+
 bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
 {
   VDMLayout table = vdmTable();
@@ -25,8 +44,11 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   {
     return false;
   }
+  // Where the mesh's normal already looks away the ray is taken as one in the plane: the relief may rise to
+  // the base itself.
   VDMDirection ray;
-  if (!vdmDirection(rate, table.Depth, ray))
+  float least = VDMLeastCosine * length(rate.xy) / table.Depth;
+  if (!vdmDirection(vec3(rate.xy, max(rate.z, least)), table.Depth, ray))
   {
 #ifdef MESO_SILHOUETTE
     hit.Found = false;
@@ -34,13 +56,11 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
     return false;
   }
   float curvature = tableCurvature(f, table, ray.Over);
-  float place = vdmCurvaturePlace(table, curvature);
-  float stored = sampleVDM(
-    f.MapCoord, ray.Turns, vdmPolarPlace(table, ray.Polar), place, 0.0, hit.Fetches);
+  float stored = lookUp(table, f.MapCoord, ray, curvature, hit.Fetches);
 #ifdef MESO_SILHOUETTE
   // Where the base is not convex every ray comes down to the relief.
   if (curvature > 0.0 && ray.Polar > VDMRightAngle *
-        sampleMVM(f.MapCoord, ray.Turns, place, 0.0, hit.Fetches))
+        sampleMVM(f.MapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), 0.0, hit.Fetches))
   {
     hit.Found = false;
     return false;
@@ -49,8 +69,10 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   VDMPoint point = vdmPoint(table, ray.Sine, ray.Cosine, curvature, stored);
   hit.RayLength = point.RayLength / ray.Length;
   hit.MapCoord = f.MapCoord + point.Offset * ray.Over;
-  hit.Relief = clamp(point.Depth / table.Depth, 0.0, 1.0);
-  hit.TexelReads = 8 * hit.Fetches;
+  // As the map has it there, from where light is followed.
+  hit.Relief = 1.0 - bilinearHeight(hit.MapCoord);
+  hit.TexelReads = 8 * hit.Fetches + 4;
+  hit.Fetches += 1;
   return true;
 }
 
@@ -61,16 +83,29 @@ vec3 reliefNormal(MesoFragment f, MesoSurfaceHit hit, vec2 gradient)
     displacedCross(f.Quadric, f.Metric, hit.MapCoord - f.MapCoord, hit.Relief, gradient));
 }
 
-// How far along a ray what the table holds of the hit may lie before it: the table knows the ray to half a
-// texel, across which the facet's depth differs by its slope, and its numbers to twice their root mean
-// square error. closing: depth that ray and facet gain on each other a length of the ray.
+// How far along a ray, at least, what the table holds of the hit may lie before it, for a table of the
+// facet's plane: rays are known to half a texel, linear between angles, and its numbers to twice their root
+// mean square error.
 float shadowTolerance(MesoFragment f, MesoSurfaceHit hit, VDMLayout table, VDMDirection into)
 {
-  vec2 slope = table.Depth * patchGradient(hit.MapCoord);
-  float closing = into.Cosine + into.Sine * dot(slope, into.Over);
-  vec2 halfTexel = 0.5 / mesoVDMTexels;
-  float apart = dot(abs(slope), halfTexel) + 2.0 * mesoVDMError;
-  return apart / max(closing, 0.01);
+  vec2 slope = -table.Depth * patchGradient(hit.MapCoord); // of the facet's depth
+  float along = dot(slope, into.Over);
+  float across = into.Over.x * slope.y - into.Over.y * slope.x;
+  // Depth that ray and facet gain on each other, a depth of the ray.
+  float tangent = into.Sine / into.Cosine;
+  float closing = max(1.0 - along * tangent, 0.01);
+  float depth = hit.Relief * table.Depth;
+  // Second derivatives of the ray's depth at the facet, of polar angle and azimuth.
+  float ofPolar = along / (into.Cosine * into.Cosine * closing);
+  float ofAzimuth = across * tangent / closing;
+  float polarBend = 2.0 * abs(ofPolar) * (tangent + abs(ofPolar));
+  float azimuthBend = abs(along) * tangent / closing + 2.0 * ofAzimuth * ofAzimuth;
+  float polarStep = VDMRightAngle / float(table.Polars);
+  float azimuthStep = VDMTurn / float(MESO_VDM_AZIMUTHS);
+  float bent = 0.125 * depth *
+    (polarStep * polarStep * polarBend + azimuthStep * azimuthStep * azimuthBend);
+  float aside = dot(abs(slope), 0.5 / mesoVDMTexels) / closing;
+  return (bent + aside + 2.0 * mesoVDMError) / into.Cosine;
 }
 
 // Light is looked up as a ray that comes in where it leaves the base, and is blocked where that ray meets
@@ -105,8 +140,7 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
   {
     return 0.0;
   }
-  float stored = sampleVDM(start - way.Offset * into.Over, into.Turns,
-    vdmPolarPlace(table, into.Polar), vdmCurvaturePlace(table, curvature), 0.0, fetches);
+  float stored = lookUp(table, start - way.Offset * into.Over, into, curvature, fetches);
   float reached = vdmPoint(table, into.Sine, into.Cosine, curvature, stored).RayLength;
   return reached < way.RayLength - shadowTolerance(f, hit, table, into) ? 1.0 : 0.0;
 }

@@ -88,19 +88,36 @@ TEST(SceneRefusals, UnknownKeys)
 TEST(SceneRefusals, KnownButNotYetServed)
 {
   EXPECT_EQ(OfScene(R"("environment": {})"), "s.json: environment: is not available yet");
-  for (const char* key : { "baked", "rank" })
-  {
-    EXPECT_EQ(OfRelief(std::string(", \"") + key + "\": 1"),
-      std::string("s.json: nodes[0].mesostructure.") + key + ": is not available yet");
-  }
+}
+
+TEST(SceneRefusals, TablesThatDoNotGoTogether)
+{
+  const std::string head = R"("mesh": "a.obj", "mesostructure": {"technique": "vdm", )";
+  const std::string place = "s.json: nodes[0].mesostructure";
+  EXPECT_EQ(
+    OfNode(head + R"("scale": 1})"), place + ": technique vdm needs a height_map or a depth_map");
+  EXPECT_EQ(OfNode(head + R"("baked": "a.vdm.vti"})"),
+    place + ": technique vdm needs scale, the height of its relief in object units");
+  EXPECT_EQ(OfNode(head + R"("wrap": "clamp"})"),
+    place + ".wrap: technique vdm has a table of a tile that repeats");
+  EXPECT_EQ(OfNode(head + R"("quality": "full", "rank": [8, 4]})"),
+    place + ".rank: quality full is the table itself, without factors");
+  EXPECT_EQ(OfNode(head + R"("quality": "certified"})"),
+    place + ".quality: technique vdm has no quality certified");
+  EXPECT_TRUE(Mentions(OfNode(head + R"("rank": [0, 4]})"), place + ".rank[0]"));
+  EXPECT_TRUE(Mentions(OfNode(head + R"("rank": [13, 4]})"), place + ".rank[0]"));
+  EXPECT_EQ(
+    OfRelief(R"(, "rank": [8, 4])"), place + ".rank: technique relief has no table with factors");
+  EXPECT_EQ(OfRelief(R"(, "baked": "a.vti")"),
+    place + ".baked: technique relief has no use for a baked table");
 }
 
 TEST(SceneRefusals, WordsThatAreNoChoice)
 {
   const std::string head = R"("mesh": "a.obj", "mesostructure": {)";
-  EXPECT_EQ(OfNode(head + R"("technique": "vdm"})"),
-    "s.json: nodes[0].mesostructure.technique: technique \"vdm\" is not available yet (choices: "
-    "plain, bump, normal, normal-object, parallax, horizon, relief, relief-quadric, "
+  EXPECT_EQ(OfNode(head + R"("technique": "geometry-image"})"),
+    "s.json: nodes[0].mesostructure.technique: technique \"geometry-image\" is not available yet "
+    "(choices: plain, bump, normal, normal-object, parallax, horizon, relief, relief-quadric, "
     "relief-quadric-exact, vdm, gdm, slices, shell-sdf, displacement, tessellated)");
   EXPECT_EQ(OfNode(head + R"("technique": "releif"})"),
     "s.json: nodes[0].mesostructure.technique: there is no technique \"releif\" (did you mean "
@@ -123,8 +140,8 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
     "s.json: nodes[0].mesostructure.quadric: technique relief has no quadric");
   EXPECT_TRUE(Mentions(
     OfNode(head + R"("technique": "relief-quadric", "quadric": "cubic"})"), "full, diagonal"));
-  EXPECT_TRUE(Mentions(OfNode(head + R"("quality": "full"})"),
-    "quality \"full\" is not available yet (choices: draft, low, medium, high, certified)"));
+  EXPECT_EQ(OfNode(head + R"("quality": "full"})"),
+    "s.json: nodes[0].mesostructure.quality: technique plain has no quality full: it has no table");
   EXPECT_EQ(OfNode(head + R"("quality": "certified"})"),
     "s.json: nodes[0].mesostructure.quality: technique plain has no quality certified");
   EXPECT_EQ(OfRelief(R"(, "quality": "certified", "search": "cone")"),

@@ -127,7 +127,8 @@ public:
     {
       const double turns = (i + 0.25) / 64.;
       ASSERT_TRUE(this->Kernel.vdmDirection(
-        Vec3(2. * std::cos(2. * Pi * turns), 2. * std::sin(2. * Pi * turns), 5.), Real(0.2), direction));
+        Vec3(2. * std::cos(2. * Pi * turns), 2. * std::sin(2. * Pi * turns), 5.), Real(0.2),
+        direction));
       EXPECT_NEAR(direction.Turns, turns, 1e-6);
       EXPECT_NEAR(direction.Polar, std::atan(2.), 1e-6);
       EXPECT_NEAR(direction.Length, std::sqrt(5.), 1e-6);
@@ -170,8 +171,9 @@ public:
     // An umbilic: any pair of directions, along any view.
     const Vec3 a(Real(0.6), Real(0.8), 0);
     const Vec3 b(Real(-0.8), Real(0.6), 0);
-    EXPECT_NEAR(this->Kernel.curvatureAlong(Vec2(2, 2), a, b, Vec3(Real(0.3), Real(0.2), Real(0.9))),
-      2., 1e-5);
+    EXPECT_NEAR(
+      this->Kernel.curvatureAlong(Vec2(2, 2), a, b, Vec3(Real(0.3), Real(0.2), Real(0.9))), 2.,
+      1e-5);
   }
 
   void LightComesOutWhereItWouldComeIn()

@@ -63,18 +63,16 @@ MesoVDMLayout SmallLayout(int width, int height)
 double NumberAt(vtkImageData* table, const MesoVDMLayout& layout, int column, int row, int azimuth,
   int polar, int curvature)
 {
-  const vtkIdType tuple =
-    (vtkIdType(azimuth) * layout.Height + row) * layout.Width + column;
+  const vtkIdType tuple = (vtkIdType(azimuth) * layout.Height + row) * layout.Width + column;
   return table->GetPointData()->GetArray("VDM")->GetComponent(
            tuple, curvature * layout.Polars + polar) /
     65535.;
 }
 
-double AngleAt(vtkImageData* table, const MesoVDMLayout& layout, int column, int row, int azimuth,
-  int curvature)
+double AngleAt(
+  vtkImageData* table, const MesoVDMLayout& layout, int column, int row, int azimuth, int curvature)
 {
-  const vtkIdType tuple =
-    (vtkIdType(azimuth) * layout.Height + row) * layout.Width + column;
+  const vtkIdType tuple = (vtkIdType(azimuth) * layout.Height + row) * layout.Width + column;
   return table->GetPointData()->GetArray("MVM")->GetComponent(tuple, curvature) / 65535. * Pi / 2.;
 }
 
@@ -103,12 +101,13 @@ public:
     const double j = std::floor(y);
     const auto at = [&](double column, double row)
     {
-      const int c = static_cast<int>(column - this->Layout.Width * std::floor(column / this->Layout.Width));
-      const int r = static_cast<int>(row - this->Layout.Height * std::floor(row / this->Layout.Height));
+      const int c =
+        static_cast<int>(column - this->Layout.Width * std::floor(column / this->Layout.Width));
+      const int r =
+        static_cast<int>(row - this->Layout.Height * std::floor(row / this->Layout.Height));
       return this->Map->GetScalarComponentAsDouble(c, r, 0, 0);
     };
-    const double height =
-      (1. - (y - j)) * ((1. - (x - i)) * at(i, j) + (x - i) * at(i + 1., j)) +
+    const double height = (1. - (y - j)) * ((1. - (x - i)) * at(i, j) + (x - i) * at(i + 1., j)) +
       (y - j) * ((1. - (x - i)) * at(i, j + 1.) + (x - i) * at(i + 1., j + 1.));
     return this->Layout.Depth * (1. - height);
   }
@@ -129,8 +128,7 @@ public:
     const double radius = 1. / this->Curvature;
     const double side = this->Curvature > 0. ? 1. : -1.;
     const double angle = std::atan2(along, side * (radius - inwards)); // at the centre
-    return { std::abs(radius) * angle,
-      radius - side * std::hypot(along, radius - inwards) };
+    return { std::abs(radius) * angle, radius - side * std::hypot(along, radius - inwards) };
   }
 
   /// The first point of a ray in the relief by small steps and halving; false where it comes out.
@@ -212,8 +210,9 @@ double FactoredAt(vtkImageData* table, vtkIdType tuple, int column, int rank)
   double sum = 0.;
   for (int i = 0; i < rank; ++i)
   {
-    sum += (data->GetArray("WeightLow")->GetTuple1(i) +
-             data->GetArray("WeightWidth")->GetTuple1(i) * weights->GetComponent(tuple, i) / largest) *
+    sum +=
+      (data->GetArray("WeightLow")->GetTuple1(i) +
+        data->GetArray("WeightWidth")->GetTuple1(i) * weights->GetComponent(tuple, i) / largest) *
       data->GetArray("VDMFunctions")->GetComponent(column, i);
   }
   return sum;
@@ -228,8 +227,8 @@ double RootMeanSquareError(
   {
     for (int column = 0; column < layout.DistanceColumns(); ++column)
     {
-      const double error = FactoredAt(factored, tuple, column, rank) -
-        numbers->GetComponent(tuple, column) / 65535.;
+      const double error =
+        FactoredAt(factored, tuple, column, rank) - numbers->GetComponent(tuple, column) / 65535.;
       sum += error * error;
     }
   }
@@ -273,8 +272,8 @@ TEST(VDM, OfTinyMapsIsThatOfBruteForce)
           EXPECT_GT(angle, polar - 1e-4);
           EXPECT_NEAR(NumberAt(table, layout, column, row, azimuth, i, k) * range,
             Expected(layout, polar, curvature, place, length), 2e-5 * range + 1e-6)
-            << static_cast<int>(stores) << ": " << column << " " << row << " " << azimuth << " " << i
-            << " " << k;
+            << static_cast<int>(stores) << ": " << column << " " << row << " " << azimuth << " "
+            << i << " " << k;
         }
       }
     }
@@ -326,8 +325,8 @@ TEST(VDM, OfALevelMapIsTheClosedForm)
   {
     // A ray that touches the level's circle is the flattest that meets it.
     const double flattest = std::asin(std::min(1., 1. - layout.CurvatureAt(k) * depth));
-    EXPECT_NEAR(AngleAt(table, layout, 1, 2, 3, k),
-      layout.CurvatureAt(k) > 0. ? flattest : Pi / 2., 3e-5);
+    EXPECT_NEAR(
+      AngleAt(table, layout, 1, 2, 3, k), layout.CurvatureAt(k) > 0. ? flattest : Pi / 2., 3e-5);
     for (int i = 0; i < layout.Polars; ++i)
     {
       // Where it is missed: the point that is touched, which is as deep.
@@ -340,8 +339,7 @@ TEST(VDM, OfALevelMapIsTheClosedForm)
 TEST(VDM, OfAHighMapLiesOnTheBase)
 {
   const MesoVDMLayout layout = SmallLayout(4, 4);
-  vtkSmartPointer<vtkImageData> table =
-    Bake(MakeMap(4, 4, [](int, int) { return 1.; }), layout);
+  vtkSmartPointer<vtkImageData> table = Bake(MakeMap(4, 4, [](int, int) { return 1.; }), layout);
   for (int azimuth = 0; azimuth < layout.Azimuths; ++azimuth)
   {
     for (int k = 0; k < layout.Curvatures; ++k)
@@ -377,9 +375,10 @@ TEST(VDM, BendsFlatPointsAsTheAppendixDoes)
   {
     for (int azimuth = 0; azimuth < layout.Azimuths; ++azimuth)
     {
-      EXPECT_EQ(NumberAt(exact, layout, 1, 2, azimuth, i, 1), NumberAt(bent, layout, 1, 2, azimuth, i, 1));
-      sum += std::abs(NumberAt(exact, layout, 1, 2, azimuth, i, 2) -
-        NumberAt(bent, layout, 1, 2, azimuth, i, 2));
+      EXPECT_EQ(
+        NumberAt(exact, layout, 1, 2, azimuth, i, 1), NumberAt(bent, layout, 1, 2, azimuth, i, 1));
+      sum += std::abs(
+        NumberAt(exact, layout, 1, 2, azimuth, i, 2) - NumberAt(bent, layout, 1, 2, azimuth, i, 2));
     }
   }
   const double mean = sum / layout.Polars / layout.Azimuths * layout.Range();
@@ -425,8 +424,8 @@ TEST(VDM, ResamplesMapsOfAnySize)
   const MesoVDMLayout layout = SmallLayout(32, 32);
   const auto wave = [](int size)
   {
-    return MakeMap(size, size,
-      [size](int i, int) { return 0.5 + 0.3 * std::cos(2. * Pi * (i + 0.5) / size); });
+    return MakeMap(
+      size, size, [size](int i, int) { return 0.5 + 0.3 * std::cos(2. * Pi * (i + 0.5) / size); });
   };
   const auto heightAt = [](vtkImageData* table, int i)
   { return table->GetFieldData()->GetArray("Heights")->GetTuple1(i); };
@@ -445,7 +444,7 @@ TEST(VDM, ResamplesMapsOfAnySize)
 TEST(VDM, ReadsItsLayoutBack)
 {
   MesoVDMLayout layout = SmallLayout(5, 7);
-  layout.Nodes = MesoVDMNodes::Cosine;
+  layout.Nodes = MesoVDMNodes::Graded;
   layout.Stores = MesoVDMStores::Offset;
   vtkSmartPointer<vtkImageData> table = Bake(RandomMap(5, 7), layout);
   const MesoVDMLayout read = MesoVDMLayout::Read(table);

@@ -42,8 +42,8 @@ MesoHeightLine::MesoHeightLine(int width, int height, double azimuth, double rea
     const bool onColumn = atColumn - offset <= LeastStep / std::max(width, height);
     const bool onRow = atRow - offset <= LeastStep / std::max(width, height);
     // An axis that the line runs along is crossed nowhere, and its texel is exact throughout.
-    const double x = onColumn || texelsAcross == 0. ? std::copysign(nextColumn, perColumn)
-                                                    : offset * perColumn;
+    const double x =
+      onColumn || texelsAcross == 0. ? std::copysign(nextColumn, perColumn) : offset * perColumn;
     const double y = onRow || texelsUp == 0. ? std::copysign(nextRow, perRow) : offset * perRow;
     Cut cut = {};
     cut.Column[0] = cut.Column[1] = Wrapped(std::floor(x), width);
@@ -101,8 +101,7 @@ void MesoHeightLine::Profile::Extend(std::size_t cut)
   {
     const Cut& place = this->Line.Cuts[k];
     const double first = at(place.Column[0], place.Row[0]);
-    this->Depths[k] =
-      first + place.Weight * (at(place.Column[1], place.Row[1]) - first);
+    this->Depths[k] = first + place.Weight * (at(place.Column[1], place.Row[1]) - first);
     if (this->Line.BendPerTwist != 0. && k + 1 < this->Depths.size())
     {
       const int right = WrappedOnce(place.Cell[0] + 1, width);

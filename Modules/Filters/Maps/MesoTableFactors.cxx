@@ -17,6 +17,8 @@ using Table = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 /// Directions beside those asked for, so that the last of them is found as fast as the first.
 constexpr int ExtraDirections = 8;
 constexpr int MostIterations = 30;
+/// Tables of so few columns take less time by one pass for their Gram matrix than by several.
+constexpr Eigen::Index GramColumns = 256;
 /// Change of a singular value, relative to the largest, at which the iteration ends.
 constexpr double SettledChange = 1e-7;
 constexpr std::size_t RowsPerBlock = 4096;
@@ -99,7 +101,7 @@ bool MesoTableFactors::Compute(
   this->Columns = columns;
   const auto width = static_cast<Eigen::Index>(columns);
   const Eigen::Index kept = std::min(static_cast<Eigen::Index>(rank), width);
-  const Eigen::Index count = std::min(kept + ExtraDirections, width);
+  const Eigen::Index count = width <= GramColumns ? width : std::min(kept + ExtraDirections, width);
   const Blocks blocks(table, rows, columns);
   const auto goesOn = [&](double done) { return !progress || progress(done); };
 
@@ -141,8 +143,10 @@ bool MesoTableFactors::Compute(
   blocks.Sum(gram,
     [&](const Matrix& block) -> Matrix
     {
-      const Matrix projected = block * directions;
-      return projected.transpose() * projected;
+      const Matrix projected = count < width ? Matrix(block * directions) : block;
+      Matrix product = Matrix::Zero(count, count);
+      product.selfadjointView<Eigen::Lower>().rankUpdate(projected.transpose());
+      return product; // its lower half, which is all that is looked at
     });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(gram);
   // Eigen sorts upwards.

@@ -17,10 +17,10 @@
  *
  * The space of the leading right singular vectors is found by subspace iteration on A^T A, and the
  * decomposition within it (Rayleigh and Ritz) through the small matrix (A Q)^T (A Q), in double
- * precision; A itself is never copied. Where rank is near the number of columns that is the Gram
- * matrix's eigendecomposition, exact. Tables that are constant, empty or of less rank are no
- * different: their further singular values are 0, and so are their weights. The same table gives the
- * same factors on any number of threads.
+ * precision; A itself is never copied. Of tables with up to 256 columns, and where rank is near the
+ * number of columns, that is the Gram matrix's eigendecomposition, exact. Tables that are constant,
+ * empty or of less rank are no different: their further singular values are 0, and so are their
+ * weights. The same table gives the same factors on any number of threads.
  */
 class MESOFILTERSMAPS_EXPORT MesoTableFactors
 {

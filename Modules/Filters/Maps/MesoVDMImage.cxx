@@ -74,8 +74,7 @@ void AddFunctions(const MesoTableFactors& factors, int first, int count, int ran
     for (int i = 0; i < rank; ++i)
     {
       functions->SetComponent(column, i,
-        scale *
-          factors.GetEigenFunctions()[std::size_t(first + column) * factors.GetRank() + i]);
+        scale * factors.GetEigenFunctions()[std::size_t(first + column) * factors.GetRank() + i]);
     }
   }
   image->GetFieldData()->AddArray(functions);
@@ -139,6 +138,14 @@ bool MesoStoreVDMFactors(const MesoVDMLayout& layout, MesoVDMNumbers& numbers,
 {
   const int columns = layout.Columns();
   const int distances = layout.DistanceColumns();
+  // What is left to 90 degrees: 0 for most rays, so that its size is that of outlines.
+  for (std::size_t row = 0; row < numbers.size(); row += columns)
+  {
+    for (int i = distances; i < columns; ++i)
+    {
+      numbers[row + i] = 1.f - numbers[row + i];
+    }
+  }
   const double ofDistances = RootMeanSquare(numbers, columns, 0, distances);
   const double ofAngles = RootMeanSquare(numbers, columns, distances, columns);
   const double scale = ofDistances > 0. && ofAngles > 0. ? ofDistances / ofAngles : 1.;

@@ -14,8 +14,9 @@ constexpr int MesoVDMMostBits = 16;
 void MesoStoreVDM(const MesoVDMLayout& layout, const MesoVDMNumbers& numbers, vtkImageData* image);
 
 /**
- * The numbers' factors as an image's arrays (vtkMesoVDM). Numbers are scaled in place: those of the
- * largest angles to the others' root mean square, so that weights are shared fairly.
+ * The numbers' factors as an image's arrays (vtkMesoVDM). Numbers are changed in place: the largest angles
+ * to what they leave to 90 degrees, scaled to the others' root mean square, so that weights are shared
+ * fairly.
  *
  * @param ranks factors of the distances and of the angles, each at least 1
  * @param bits of a weight, 8 or 16

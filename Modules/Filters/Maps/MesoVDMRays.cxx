@@ -67,8 +67,8 @@ double FirstRoot(double start, double middle, double end, double length)
     return -1.;
   }
   const double root = std::sqrt(discriminant);
-  const double first = slope < 0. ? 2. * start / (root - slope)
-                                  : (bend < 0. ? -(slope + root) / (2. * bend) : -1.);
+  const double first =
+    slope < 0. ? 2. * start / (root - slope) : (bend < 0. ? -(slope + root) / (2. * bend) : -1.);
   return first <= length ? first : -1.;
 }
 }
@@ -178,7 +178,8 @@ std::vector<MesoVDMRays::Point> MesoVDMRays::Meet(
         bending *
           (length * length +
             ray.Cotangent *
-              (length * std::abs(depth - profile.DepthAt(cut)) + 4. * arc.Sine * profile.SagAfter(cut)));
+              (length * std::abs(depth - profile.DepthAt(cut)) +
+                4. * arc.Sine * profile.SagAfter(cut)));
       if (std::min(before, after) <= sag &&
         this->MeetBetween(profile, fan, ray, cut, before, after, point))
       {
@@ -211,8 +212,8 @@ bool MesoVDMRays::MeetBetween(const MesoHeightLine::Profile& profile, const Fan&
   double along = 0.;
   if (before > 0.)
   {
-    const double middle = fan.Above(
-      fan.Arcs[2 * cut + 1], profile.DepthBetween(cut, 0.5 * length), ray.Cotangent);
+    const double middle =
+      fan.Above(fan.Arcs[2 * cut + 1], profile.DepthBetween(cut, 0.5 * length), ray.Cotangent);
     along = FirstRoot(before, middle, after, length);
     if (along < 0.)
     {
@@ -246,8 +247,7 @@ bool MesoVDMRays::MeetBetween(const MesoHeightLine::Profile& profile, const Fan&
   return true;
 }
 
-double MesoVDMRays::Flattest(
-  MesoHeightLine::Profile& profile, const Fan& fan, Point& point) const
+double MesoVDMRays::Flattest(MesoHeightLine::Profile& profile, const Fan& fan, Point& point) const
 {
   const std::vector<double>& offsets = this->Line.GetOffsets();
   const double c = fan.Curvature;
@@ -303,7 +303,8 @@ double MesoVDMRays::Flattest(
       const double before =
         riseOf(near, profile.DepthAt(cut - 1)) / runOf(near, profile.DepthAt(cut - 1));
       const double bend = before - 2. * middle + value;
-      const double shift = bend > 0. ? 0.25 * (before - value) / bend : 1.; // lengths from the middle
+      const double shift =
+        bend > 0. ? 0.25 * (before - value) / bend : 1.; // lengths from the middle
       if (std::abs(shift) >= 0.5)
       {
         continue;
@@ -326,8 +327,7 @@ double MesoVDMRays::Flattest(
   return best;
 }
 
-double MesoVDMRays::NumberOf(
-  double curvature, double sine, double cosine, const Point& point) const
+double MesoVDMRays::NumberOf(double curvature, double sine, double cosine, const Point& point) const
 {
   if (this->Layout.Stores == MesoVDMStores::Depth && !(curvature > 0.))
   {
@@ -389,8 +389,7 @@ std::vector<double> MesoVDMRays::Bend(
   return resampled;
 }
 
-void MesoVDMRays::Trace(
-  MesoHeightLine::Profile& profile, int column, int row, float* numbers) const
+void MesoVDMRays::Trace(MesoHeightLine::Profile& profile, int column, int row, float* numbers) const
 {
   profile.Start(column, row);
   std::vector<Point> flat;

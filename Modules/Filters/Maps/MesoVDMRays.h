@@ -41,7 +41,7 @@ private:
     double Sine;
     double Cosine;
     double Cotangent;
-    double End;   ///< offset at which it is at the bottom, or comes out of the base
+    double End;    ///< offset at which it is at the bottom, or comes out of the base
     bool ComesOut; ///< it comes out before it gets to the bottom
   };
   /// Rays of one curvature.

@@ -20,7 +20,7 @@ static_assert(Kernel::VDMStoresDistance == static_cast<int>(MesoVDMStores::Dista
     Kernel::VDMStoresOffset == static_cast<int>(MesoVDMStores::Offset) &&
     Kernel::VDMNodesEdges == static_cast<int>(MesoVDMNodes::Edges) &&
     Kernel::VDMNodesCentres == static_cast<int>(MesoVDMNodes::Centres) &&
-    Kernel::VDMNodesCosine == static_cast<int>(MesoVDMNodes::Cosine),
+    Kernel::VDMNodesGraded == static_cast<int>(MesoVDMNodes::Graded),
   "the enumerations count as the kernel does");
 
 /// The polar angles of the kernel.
@@ -56,8 +56,8 @@ std::vector<double> ArrayOf(vtkImageData* image, const char* name, int count)
   vtkDataArray* array = image->GetFieldData()->GetArray(name);
   if (!array || array->GetNumberOfValues() != count)
   {
-    throw std::runtime_error(std::string("the field data has no ") + name + " of " +
-      std::to_string(count) + " numbers");
+    throw std::runtime_error(
+      std::string("the field data has no ") + name + " of " + std::to_string(count) + " numbers");
   }
   std::vector<double> numbers(count);
   for (int i = 0; i < count; ++i)
@@ -101,8 +101,7 @@ double MesoVDMLayout::Range() const
     {
       const double sine = 1. - c * this->Depth;
       const double offset = 2. * std::acos(sine) / c;
-      range =
-        std::max(range, this->Stores == MesoVDMStores::Offset ? offset : offset / sine);
+      range = std::max(range, this->Stores == MesoVDMStores::Offset ? offset : offset / sine);
     }
     for (int i = 0; i < this->Polars; ++i)
     {
@@ -179,7 +178,7 @@ MesoVDMLayout MesoVDMLayout::Read(vtkImageData* image)
   layout.Azimuths = whole(2);
   layout.Polars = whole(3);
   layout.Curvatures = whole(4);
-  if (whole(5) > static_cast<int>(MesoVDMNodes::Cosine) ||
+  if (whole(5) > static_cast<int>(MesoVDMNodes::Graded) ||
     whole(6) > static_cast<int>(MesoVDMStores::Offset))
   {
     throw std::runtime_error(std::string(SizesName) + " names no kind of nodes or numbers");

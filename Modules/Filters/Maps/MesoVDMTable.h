@@ -30,7 +30,7 @@ enum class MesoVDMNodes
 {
   Edges,   ///< evenly from 0 to 90 degrees, both among them
   Centres, ///< in the middles of even parts of 0 to 90 degrees
-  Cosine   ///< cosines in the middles of even parts of 0 to 1
+  Graded   ///< centres, but denser towards 90 degrees: (1 - polar / 90)^(4/5) is even
 };
 
 /// How other curvatures than 0 are baked.
@@ -57,7 +57,7 @@ struct MESOFILTERSMAPS_EXPORT MesoVDMLayout
   double FirstCurvature = -2.;
   double LastCurvature = 3.;
   double Depth = 0.1; ///< F: of the deepest point, in tiles
-  MesoVDMNodes Nodes = MesoVDMNodes::Centres;
+  MesoVDMNodes Nodes = MesoVDMNodes::Graded;
   MesoVDMStores Stores = MesoVDMStores::Depth;
 
   double PolarAt(int i) const; ///< radians

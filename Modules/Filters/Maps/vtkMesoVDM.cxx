@@ -48,15 +48,16 @@ std::vector<float> ResampledRow(const std::vector<float>& values, int to)
 }
 
 /// Depths of a table's texels, in tiles.
-std::vector<float> DepthsOf(const std::vector<float>& heights, int width, int height,
-  const MesoVDMLayout& layout)
+std::vector<float> DepthsOf(
+  const std::vector<float>& heights, int width, int height, const MesoVDMLayout& layout)
 {
   std::vector<float> columns(std::size_t(layout.Width) * height);
   for (int row = 0; row < height; ++row)
   {
     const auto first = heights.begin() + std::ptrdiff_t(row) * width;
     const std::vector<float> resampled = ResampledRow({ first, first + width }, layout.Width);
-    std::copy(resampled.begin(), resampled.end(), columns.begin() + std::ptrdiff_t(row) * layout.Width);
+    std::copy(
+      resampled.begin(), resampled.end(), columns.begin() + std::ptrdiff_t(row) * layout.Width);
   }
   std::vector<float> depths(std::size_t(layout.Width) * layout.Height);
   for (int column = 0; column < layout.Width; ++column)
@@ -145,8 +146,8 @@ void vtkMesoVDM::Compute(const Map& map, vtkImageData* output)
   if (this->GetWrap() != MesoWrap::Repeat)
   {
     output->Initialize();
-    vtkErrorMacro("The table is of a tile that repeats; the wrap "
-      << MesoName(this->GetWrap()) << " has none");
+    vtkErrorMacro(
+      "The table is of a tile that repeats; the wrap " << MesoName(this->GetWrap()) << " has none");
     return;
   }
   const std::vector<float> depths = DepthsOf(map.Heights, map.Width, map.Height, this->Layout);
@@ -171,8 +172,8 @@ void vtkMesoVDM::Compute(const Map& map, vtkImageData* output)
     MesoStoreVDM(this->Layout, numbers, output);
     return;
   }
-  MesoStoreVDMFactors(this->Layout, numbers, { this->Ranks[0], std::max(this->Ranks[1], 1) },
-    this->Bits,
+  MesoStoreVDMFactors(
+    this->Layout, numbers, { this->Ranks[0], std::max(this->Ranks[1], 1) }, this->Bits,
     [this](double done)
     {
       this->UpdateProgress(BakingPart + (1. - BakingPart) * done);

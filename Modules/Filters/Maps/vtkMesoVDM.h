@@ -15,7 +15,8 @@
  * - else its factors: `Weights` (8 or 16 bit, as many as the larger rank, the scalars), whose largest code
  *   stands for WeightLow + WeightWidth and 0 for WeightLow (field data), and in the field data
  *   `VDMFunctions` (float, a tuple of Ranks[0] for each polar angle and curvature, curvature slowest),
- *   `MVMFunctions` (a tuple of Ranks[1] for each curvature): a stored number is the sum of products; and
+ *   `MVMFunctions` (a tuple of Ranks[1] for each curvature): a stored number is the sum of products, of the
+ *   largest angles what they leave to 90 degrees, over 90 degrees; and
  *   `Errors`: the root mean square that the first 1, 2, ... products leave, of stored numbers in [0,1].
  *
  * Takes 4 bytes of memory a number of the table while it works, and as much again for the table itself at 2

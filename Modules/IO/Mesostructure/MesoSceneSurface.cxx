@@ -262,7 +262,7 @@ void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
   const bool tabled =
     options.Technique == MesoTechnique::VDM || options.Technique == MesoTechnique::GDM;
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
-  if (tabled && options.Wrap != MesoWrap::Repeat)
+  if (options.Technique == MesoTechnique::VDM && options.Wrap != MesoWrap::Repeat)
   {
     value.At("wrap").Fail(technique + " has a table of a tile that repeats");
   }

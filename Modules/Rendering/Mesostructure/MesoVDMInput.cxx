@@ -5,6 +5,7 @@
 #include "MesoBumpMaps.h"
 #include "MesoScene.h"
 #include "MesoVDMTable.h"
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -15,11 +16,12 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
 /// Grows when what is baked from the same input changes.
-constexpr double BakerVersion = 1.;
+constexpr double BakerVersion = 2.;
 
 /// What tables in the cache have, so that one serves all qualities.
 constexpr std::array<int, 2> KeptRanks = { 12, 4 };
@@ -27,13 +29,48 @@ constexpr std::array<int, 2> KeptRanks = { 12, 4 };
 /// The relief must not reach the centre of the strongest curvature.
 constexpr double LargestReach = 0.8;
 
+/// Between the curvatures of a table, in 1 / tile; 0 is one of them.
+constexpr double CurvatureStep = 1. / 3.;
+
 const char* const Kind = "vdm";
 
-MesoVDMLayout LayoutFor(double depth)
+/// The smallest and the largest curvature of the mesh's quadrics in a table's space, 1 / tile.
+std::array<double, 2> CurvaturesOf(
+  vtkPolyData* mesh, const MesoMesostructureOptions& options, double depth)
+{
+  std::array<double, 2> range = { 0., 0. };
+  vtkDataArray* quadrics = mesh->GetPointData()->GetArray("MesoQuadric");
+  vtkDataArray* scales = mesh->GetPointData()->GetArray("MesoTileScale");
+  for (vtkIdType i = 0; quadrics && scales && i < quadrics->GetNumberOfTuples(); ++i)
+  {
+    // Of z = a x^2 + b y^2 + c x y: twice the eigenvalues of its matrix.
+    const double* abc = quadrics->GetTuple3(i);
+    const double mean = abc[0] + abc[1];
+    const double apart = std::hypot(abc[0] - abc[1], abc[2]);
+    const double tile = std::max(
+      scales->GetComponent(i, 0) / options.Tiles[0], scales->GetComponent(i, 1) / options.Tiles[1]);
+    const double perTile = tile * tile * depth / options.Scale;
+    range[0] = std::min(range[0], (mean - apart) * perTile);
+    range[1] = std::max(range[1], (mean + apart) * perTile);
+  }
+  return range;
+}
+
+/// The axes of a table for a mesh: the paper's, of its curvatures those that the mesh has.
+MesoVDMLayout LayoutFor(vtkPolyData* mesh, const MesoMesostructureOptions& options)
 {
   MesoVDMLayout layout;
-  layout.Depth = depth;
-  layout.LastCurvature = std::min(layout.LastCurvature, LargestReach / depth);
+  layout.Depth = MesoDepthInTiles(mesh, options);
+  const double strongest = std::min(layout.LastCurvature, LargestReach / layout.Depth);
+  const std::array<double, 2> range = CurvaturesOf(mesh, options, layout.Depth);
+  constexpr double slack = 1e-3; // of a step: planes have none
+  const auto low =
+    static_cast<int>(std::floor(std::max(range[0], layout.FirstCurvature) / CurvatureStep + slack));
+  const auto high =
+    static_cast<int>(std::ceil(std::min(range[1], strongest) / CurvatureStep - slack));
+  layout.Curvatures = high - low + 1;
+  layout.FirstCurvature = low * CurvatureStep;
+  layout.LastCurvature = std::min(high * CurvatureStep, strongest);
   return layout;
 }
 
@@ -48,10 +85,10 @@ vtkSmartPointer<vtkImageData> Bake(vtkImageData* heights, const MesoVDMLayout& l
   return filter->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> BakeOnce(vtkMesoVDMMapper* mapper, double depth,
+vtkSmartPointer<vtkImageData> BakeOnce(vtkMesoVDMMapper* mapper, vtkPolyData* mesh,
   const std::string& place, std::vector<std::string>& warnings)
 {
-  const MesoVDMLayout layout = LayoutFor(depth);
+  const MesoVDMLayout layout = LayoutFor(mesh, mapper->GetOptions());
   std::array<int, 2> ranks = vtkMesoVDMMapper::GetRanks(mapper->GetOptions());
   if (ranks[0] == 0)
   {
@@ -66,7 +103,9 @@ vtkSmartPointer<vtkImageData> BakeOnce(vtkMesoVDMMapper* mapper, double depth,
     { "version", std::vector<double>{ BakerVersion } },
     { "heights", MesoContentOf(mapper->GetHeightMap()) },
     { "depth", std::vector<double>{ layout.Depth } },
-    { "curvatures", std::vector<double>{ layout.FirstCurvature, layout.LastCurvature } },
+    { "curvatures",
+      std::vector<double>{
+        double(layout.Curvatures), layout.FirstCurvature, layout.LastCurvature } },
     { "rank", std::vector<double>{ double(ranks[0]), double(ranks[1]) } },
   };
   return MesoBakeOnce(
@@ -99,7 +138,7 @@ void MesoSetVDMTable(vtkMesoVDMMapper* mapper, const std::string& baked, vtkPoly
   vtkSmartPointer<vtkImageData> table;
   if (baked.empty())
   {
-    table = BakeOnce(mapper, MesoDepthInTiles(mesh, options), place, warnings);
+    table = BakeOnce(mapper, mesh, place, warnings);
   }
   else
   {
@@ -118,12 +157,10 @@ void MesoSetVDMTable(vtkMesoVDMMapper* mapper, const std::string& baked, vtkPoly
   }
 }
 
-vtkSmartPointer<vtkImageData> MesoReadVDMHeights(
-  const std::string& baked, const std::string& place)
+vtkSmartPointer<vtkImageData> MesoReadVDMHeights(const std::string& baked, const std::string& place)
 {
   const MesoBaked file = Read(baked, place);
-  auto* heights =
-    vtkFloatArray::SafeDownCast(file.Table->GetFieldData()->GetArray("Heights"));
+  auto* heights = vtkFloatArray::SafeDownCast(file.Table->GetFieldData()->GetArray("Heights"));
   int size[3];
   file.Table->GetDimensions(size);
   if (!heights || heights->GetNumberOfValues() != vtkIdType(size[0]) * size[1])

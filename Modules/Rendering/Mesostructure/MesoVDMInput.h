@@ -12,7 +12,7 @@ class vtkPolyData;
 
 /**
  * Give a mapper the table of its height map: a baked file's, or one that is baked now and kept in the
- * cache (MesoBakeCache.h), with as many factors as its options ask for.
+ * cache (MesoBakeCache.h), with as many factors as its options ask for and the curvatures that the mesh has.
  *
  * @param mapper with its options and its height map
  * @param baked a file's name, or empty

@@ -161,7 +161,8 @@ void MesoVDMShader::SetParts()
     const char* const names[] = { "VDMFunctions", "MVMFunctions" };
     for (int i = 0; i < 2; ++i)
     {
-      const int most = std::min(data->GetArray(names[i])->GetNumberOfComponents(), Four * MostGroups);
+      const int most =
+        std::min(data->GetArray(names[i])->GetNumberOfComponents(), Four * MostGroups);
       this->Ranks[i] = wanted[i] > 0 ? std::min(wanted[i], most) : most;
     }
     this->Error = data->GetArray("Errors")->GetTuple1(this->Ranks[0] - 1);
@@ -192,8 +193,7 @@ MesoShaderShape MesoVDMShader::GetShape() const
     { "MESO_VDM_POLARS", std::to_string(layout.Polars) },
     { "MESO_VDM_CURVATURES", std::to_string(layout.Curvatures) },
     { "MESO_VDM_STORES", std::to_string(static_cast<int>(layout.Stores)) },
-    { "MESO_VDM_NODES", std::to_string(static_cast<int>(layout.Nodes)) },
-    { "MESO_QUADRIC", "" } };
+    { "MESO_VDM_NODES", std::to_string(static_cast<int>(layout.Nodes)) }, { "MESO_QUADRIC", "" } };
   if (this->Ranks[0] > 0)
   {
     const auto groups = [](int rank) { return std::to_string((rank + Four - 1) / Four); };

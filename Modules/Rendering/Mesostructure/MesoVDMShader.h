@@ -45,7 +45,7 @@ private:
   vtkSmartPointer<vtkImageData> Table;
   MesoVDMLayout Layout;
   std::array<int, 2> Ranks = { 0, 0 }; ///< that are used; 0: the table itself
-  double Error = 0.; ///< root mean square of what is stored, of 1
+  double Error = 0.;                   ///< root mean square of what is stored, of 1
   std::vector<std::unique_ptr<MesoVDMPart>> Parts;
 };
 

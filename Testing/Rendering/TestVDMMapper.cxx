@@ -1,0 +1,373 @@
+// The technique vdm: nothing of it where there is no relief, closed forms, the table against relief mapping
+// angle by angle, factors, and every choice of effects.
+
+#include "MesoAOVChecks.h"
+#include "MesoBaseline.h"
+#include "MesoExpectedMessages.h"
+#include "MesoTestScene.h"
+
+#include "vtkFieldData.h"
+#include "vtkMesoAOVPass.h"
+#include "vtkMesoReliefMapper.h"
+#include "vtkMesoVDM.h"
+#include "vtkMesoVDMMapper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const double Pi = std::acos(-1.);
+constexpr int Size = 64;
+
+/// A small table of a map.
+vtkSmartPointer<vtkImageData> TableOf(
+  vtkImageData* heights, double depth, int rank = 0, int size = 24, int azimuths = 12)
+{
+  MesoVDMLayout layout;
+  layout.Width = layout.Height = size;
+  layout.Azimuths = azimuths;
+  layout.Curvatures = 4; // -1.5, 0, 1.5, 3
+  layout.FirstCurvature = -1.5;
+  layout.Depth = depth;
+  vtkNew<vtkMesoVDM> filter;
+  filter->SetInputData(heights);
+  filter->SetLayout(layout);
+  filter->SetRanks(rank, rank);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// The torus with brick, plain and by a table.
+class VDMOnTorus : public testing::Test
+{
+protected:
+  MesoTestScene Scene;
+  vtkNew<vtkMesoPolyDataMapper> Plain;
+  vtkNew<vtkMesoVDMMapper> VDM;
+  vtkSmartPointer<vtkImageData> Heights = MesoTestScene::Pattern("brick");
+
+  void SetUp() override
+  {
+    const auto torus = MesoTestScene::Shape("torus");
+    this->Plain->SetInputData(torus);
+    this->VDM->SetInputData(MesoTestScene::Prepared(torus, MesoTechnique::VDM));
+    this->VDM->SetHeightMap(this->Heights);
+    this->VDM->SetTable(TableOf(this->Heights, 0.1));
+    this->VDM->SetScale(0.06);
+    this->VDM->SetTiles(10., 4.);
+    this->Scene.AddDirectionalLight(-1., -2., -1.);
+    this->Scene.AddHeadlight();
+    this->Scene.LookFrom(1., 3., 5.);
+  }
+
+  vtkSmartPointer<vtkImageData> Picture(vtkMapper* mapper)
+  {
+    this->Scene.Actor->SetMapper(mapper);
+    return MesoGrabWindow(this->Scene.Window);
+  }
+
+  void ExpectPlain(const MesoImageLimits& limits = MesoImageLimits::Exact())
+  {
+    const auto plain = this->Picture(this->Plain);
+    const auto difference = MesoCompareImages(this->Picture(this->VDM), plain, limits);
+    EXPECT_TRUE(difference.Within) << difference.Describe();
+  }
+};
+
+/// A plane of 2 x 2 with 4 x 4 tiles, seen from an angle off its normal and an azimuth by a parallel camera.
+struct VDMPlane : public MesoTestScene
+{
+  vtkNew<vtkMesoAOVPass> Pass;
+
+  VDMPlane(double degrees, double azimuth)
+    : MesoTestScene(100, 100)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.2 * std::cos(degrees * Pi / 180.));
+    const double sine = std::sin(degrees * Pi / 180.);
+    camera->SetPosition(-5. * sine * std::cos(azimuth), -5. * sine * std::sin(azimuth),
+      5. * std::cos(degrees * Pi / 180.));
+    camera->SetFocalPoint(0., 0., 0.);
+    camera->SetViewUp(std::sin(azimuth), -std::cos(azimuth), 0.);
+    this->AddDirectionalLight(0.5, 0.7, -1.);
+    this->Renderer->ResetCameraClippingRange();
+  }
+  ~VDMPlane() { this->Pass->ReleaseGraphicsResources(this->Window); }
+
+  void Capture(vtkMesoPolyDataMapper* mapper)
+  {
+    mapper->SetInputData(Prepared(Shape("plane", { { "size", { 2., 2. } } }), MesoTechnique::VDM));
+    mapper->SetScale(0.05);
+    mapper->SetTiles(4., 4.);
+    this->Actor->SetMapper(mapper);
+    MesoCapture(*this, this->Pass);
+  }
+
+  std::vector<float> Values(const char* channel) const { return this->Pass->GetChannel(channel); }
+};
+
+/// Distances in texels between what two captures hit, sorted.
+std::vector<double> Distances(const std::vector<float>& u0, const std::vector<float>& v0,
+  const std::vector<float>& u1, const std::vector<float>& v1)
+{
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < u0.size(); ++i)
+  {
+    distances.push_back(Size * std::hypot(u0[i] - u1[i], v0[i] - v1[i]));
+  }
+  std::sort(distances.begin(), distances.end());
+  return distances;
+}
+}
+
+TEST_F(VDMOnTorus, IsSeenAtAll)
+{
+  const auto plain = this->Picture(this->Plain);
+  EXPECT_FALSE(MesoCompareImages(this->Picture(this->VDM), plain, {}).Within);
+}
+
+TEST_F(VDMOnTorus, IsPlainWithoutDepth)
+{
+  this->VDM->SetScale(0.);
+  this->ExpectPlain();
+}
+
+TEST_F(VDMOnTorus, IsPlainWhereTheMapIsHigh)
+{
+  for (const int rank : { 0, 4 })
+  {
+    vtkSmartPointer<vtkImageData> high = MesoTestScene::Constant(1.f);
+    this->VDM->SetHeightMap(high);
+    this->VDM->SetTable(TableOf(high, 0.1, rank, 4));
+    this->ExpectPlain(rank > 0 ? MesoImageLimits() : MesoImageLimits::Exact());
+  }
+}
+
+TEST_F(VDMOnTorus, IsPlainWithoutATable)
+{
+  this->VDM->SetTable(nullptr);
+  this->ExpectPlain();
+}
+
+TEST_F(VDMOnTorus, IsPlainWithoutAMap)
+{
+  this->VDM->SetHeightMap(nullptr);
+  this->ExpectPlain();
+}
+
+TEST_F(VDMOnTorus, IsPlainWithoutEffects)
+{
+  MesoMesostructureOptions options = this->VDM->GetOptions();
+  options.Effects.Auto = false;
+  this->VDM->SetOptions(options);
+  this->ExpectPlain();
+}
+
+TEST_F(VDMOnTorus, RefusesWhatIsNoTable)
+{
+  {
+    MesoExpectedMessages expected("no VDMSizes");
+    this->VDM->SetTable(MesoTestScene::Constant(0.f));
+    EXPECT_EQ(expected.GetCount(), 1);
+  }
+  this->ExpectPlain();
+  const auto table = TableOf(this->Heights, 0.1, 4);
+  table->GetFieldData()->RemoveArray("VDMFunctions");
+  MesoExpectedMessages expected("has no VDMFunctions");
+  this->VDM->SetTable(table);
+  EXPECT_EQ(expected.GetCount(), 1);
+}
+
+TEST_F(VDMOnTorus, DrawsEveryChoiceOfEffects)
+{
+  const MesoEffect effects[] = { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
+    MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature };
+  const auto plain = this->Picture(this->Plain);
+  for (const int rank : { 0, 3, 8 })
+  {
+    this->VDM->SetTable(TableOf(this->Heights, 0.1, rank));
+    for (const MesoEffect left : effects)
+    {
+      MesoMesostructureOptions options = this->VDM->GetOptions();
+      options.Effects.Auto = false;
+      for (const MesoEffect effect : effects)
+      {
+        options.Effects.Named.Set(effect, effect != left);
+      }
+      this->VDM->SetOptions(options);
+      EXPECT_FALSE(MesoCompareImages(this->Picture(this->VDM), plain, {}).Within)
+        << rank << " without " << MesoName(left);
+    }
+  }
+}
+
+TEST_F(VDMOnTorus, LooksUpAtMostFourteenTimes)
+{
+  vtkNew<vtkMesoAOVPass> pass;
+  this->Scene.Renderer->RemoveAllLights();
+  this->Scene.AddDirectionalLight(-1., -2., -1.);
+  this->VDM->SetTable(TableOf(this->Heights, 0.1, 8));
+  MesoMesostructureOptions options = this->VDM->GetOptions();
+  options.Rank = { 8, 4 };
+  this->VDM->SetOptions(options);
+  this->Scene.Actor->SetMapper(this->VDM);
+  MesoCapture(this->Scene, pass);
+  EXPECT_GT(MesoCheckEveryPixel(pass), 1000);
+  const std::vector<float> fetches = pass->GetChannel("fetches");
+  EXPECT_LE(*std::max_element(fetches.begin(), fetches.end()), 14.f);
+  pass->ReleaseGraphicsResources(this->Scene.Window);
+}
+
+TEST(VDMMapper, MeetsALevelWhereItIs)
+{
+  const auto level = MesoTestScene::Constant(0.25f);
+  for (const int rank : { 0, 8 })
+  {
+    vtkNew<vtkMesoVDMMapper> mapper;
+    mapper->SetHeightMap(level);
+    mapper->SetTable(TableOf(level, 0.2, rank, 4)); // the plane's relief is 0.1 tiles deep
+    for (const double degrees : { 0., 40., 75. })
+    {
+      VDMPlane plane(degrees, 0.7);
+      plane.Capture(mapper);
+      const std::vector<float> relief = plane.Values("relief");
+      const std::vector<float> depth = plane.Values("depth");
+      const std::vector<float> coverage = plane.Values("coverage");
+      for (std::size_t i = 0; i < relief.size(); ++i)
+      {
+        ASSERT_EQ(coverage[i], 1.f);
+        // 8 bits of each weight, then 16 of the table.
+        ASSERT_NEAR(relief[i], 0.75, rank > 0 ? 1e-3 : 1e-4) << degrees;
+      }
+      // The middle of the picture: 5 to the plane, and on to the level.
+      const std::size_t middle = relief.size() / 2 + 50;
+      EXPECT_NEAR(depth[middle], 5. + 0.0375 / std::cos(degrees * Pi / 180.), 3e-3) << degrees;
+    }
+  }
+}
+
+TEST(VDMMapper, AgreesWithReliefMappingAngleByAngle)
+{
+  // What 8 polar angles leave between them, in texels: median and 95th percentile.
+  struct Case
+  {
+    double Degrees;
+    double Median;
+    double Ninetyfifth;
+  };
+  const auto heights = MesoTestScene::Pattern("smooth", Size, Size);
+  vtkNew<vtkMesoVDMMapper> vdm;
+  vdm->SetHeightMap(heights);
+  vdm->SetTable(TableOf(heights, 0.1, 0, Size, 32));
+  vtkNew<vtkMesoReliefMapper> relief;
+  relief->SetHeightMap(heights);
+  MesoMesostructureOptions options = relief->GetOptions();
+  options.Quality = MesoQuality::Certified;
+  relief->SetOptions(options);
+  for (const Case& one : { Case{ 0., 0.02, 0.05 }, Case{ 30., 0.05, 0.1 }, Case{ 50., 0.05, 0.3 },
+         Case{ 70., 0.2, 1.5 }, Case{ 80., 1., 6. } })
+  {
+    VDMPlane plane(one.Degrees, 0.4);
+    plane.Capture(relief);
+    const auto u = plane.Values("texcoord.u");
+    const auto v = plane.Values("texcoord.v");
+    const auto shadow = plane.Values("shadow.0");
+    plane.Capture(vdm);
+    const auto distances = Distances(u, v, plane.Values("texcoord.u"), plane.Values("texcoord.v"));
+    EXPECT_LT(distances[distances.size() / 2], one.Median) << one.Degrees;
+    EXPECT_LT(distances[distances.size() * 95 / 100], one.Ninetyfifth) << one.Degrees;
+    const auto looked = plane.Values("shadow.0");
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < shadow.size(); ++i)
+    {
+      different += shadow[i] == looked[i] ? 0 : 1;
+    }
+    EXPECT_LT(different, shadow.size() / 20) << one.Degrees;
+  }
+}
+
+TEST(VDMMapper, HasNoSeamBetweenTheLastAzimuthAndTheFirst)
+{
+  const auto heights = MesoTestScene::Pattern("smooth", Size, Size);
+  vtkNew<vtkMesoVDMMapper> vdm;
+  vdm->SetHeightMap(heights);
+  for (const int rank : { 0, 8 })
+  {
+    vdm->SetTable(TableOf(heights, 0.1, rank));
+    VDMPlane before(50., -0.002);
+    before.Capture(vdm);
+    VDMPlane after(50., 0.002);
+    after.Capture(vdm);
+    const auto distances = Distances(before.Values("texcoord.u"), before.Values("texcoord.v"),
+      after.Values("texcoord.u"), after.Values("texcoord.v"));
+    EXPECT_LT(distances.back(), 1.); // the view itself turned by 0.23 degrees
+  }
+}
+
+TEST(VDMMapper, MoreFactorsAreNearerToTheTable)
+{
+  const auto heights = MesoTestScene::Pattern("brick", Size, Size);
+  vtkNew<vtkMesoVDMMapper> vdm;
+  vdm->SetHeightMap(heights);
+  vdm->SetTable(TableOf(heights, 0.1));
+  VDMPlane plane(55., 0.3);
+  plane.Capture(vdm);
+  const auto u = plane.Values("texcoord.u");
+  const auto v = plane.Values("texcoord.v");
+  vdm->SetTable(TableOf(heights, 0.1, 12));
+  double before = 1e9;
+  for (const auto quality :
+    { MesoQuality::Draft, MesoQuality::Low, MesoQuality::Medium, MesoQuality::High })
+  {
+    MesoMesostructureOptions options = vdm->GetOptions();
+    options.Quality = quality;
+    vdm->SetOptions(options);
+    plane.Capture(vdm);
+    const auto distances = Distances(u, v, plane.Values("texcoord.u"), plane.Values("texcoord.v"));
+    double mean = 0.;
+    for (const double distance : distances)
+    {
+      mean += distance / double(distances.size());
+    }
+    EXPECT_LT(mean, before) << MesoName(quality);
+    before = mean;
+  }
+  EXPECT_LT(before, 0.5);
+}
+
+TEST(VDMMapper, HardViewsGiveNumbers)
+{
+  // Grazing, from very near, along the normal, and curvatures beyond the table's.
+  const auto heights = MesoTestScene::Pattern("spikes", Size, Size);
+  vtkNew<vtkMesoVDMMapper> vdm;
+  vdm->SetHeightMap(heights);
+  for (const int rank : { 0, 8 })
+  {
+    vdm->SetTable(TableOf(heights, 0.25, rank));
+    for (const char* shape : { "torus", "sphere", "undulating", "plane" })
+    {
+      vdm->SetInputData(MesoTestScene::Prepared(MesoTestScene::Shape(shape), MesoTechnique::VDM));
+      vdm->SetTiles(2., 2.);
+      for (const double scale : { 0.01, 0.3 })
+      {
+        vdm->SetScale(scale);
+        for (const auto& from : { std::array<double, 3>{ 3., 0.02, 0. }, { 0., 0., 1.2 },
+               { 0.6, 0.7, 0.8 }, { 0., 3., 0. } })
+        {
+          MesoTestScene scene(64, 64);
+          vtkNew<vtkMesoAOVPass> pass;
+          scene.Actor->SetMapper(vdm);
+          scene.AddDirectionalLight(0.2, 1., 0.05);
+          scene.LookFrom(from[0], from[1], from[2]);
+          MesoCapture(scene, pass);
+          MesoCheckEveryPixel(pass);
+          pass->ReleaseGraphicsResources(scene.Window);
+        }
+      }
+    }
+  }
+}
