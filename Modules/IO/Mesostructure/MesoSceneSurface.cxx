@@ -13,9 +13,9 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "slices" };
 
 constexpr double MostFactors = 12.;
+constexpr double MostFactorsOfVolumes = 64.;
 
 MesoSceneMap ReadMap(const MesoSceneValue& value)
 {
@@ -231,9 +231,14 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
     value.Refuse({ "segments" }, technique + " has no prisms that rays run through");
     return;
   }
-  if (!node.Volume)
+  const bool tabled = options.Technique == MesoTechnique::GDM;
+  if (!node.Baked.empty())
   {
-    value.Fail(technique + " needs a volume or a tile_mesh");
+    value.Refuse({ "volume", "tile_mesh" }, "the baked table has its volume in it");
+  }
+  else if (!node.Volume)
+  {
+    value.Fail(technique + " needs a volume or a tile_mesh" + (tabled ? ", or a baked table" : ""));
   }
   if (!value.Has("scale"))
   {
@@ -250,6 +255,10 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   if (options.Wrap != MesoWrap::Repeat)
   {
     value.At("wrap").Fail("a volume repeats");
+  }
+  if (options.Technique == MesoTechnique::Slices)
+  {
+    value.Refuse({ "segments" }, technique + " has no rays that run through prisms");
   }
   value.With("segments",
     [&](const MesoSceneValue& number) {
@@ -269,7 +278,8 @@ void CheckHasScale(const MesoSceneValue& value, const std::string& technique)
 void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
 {
   MesoMesostructureOptions& options = node.Mesostructure;
-  const bool tabled = options.Technique == MesoTechnique::VDM;
+  const bool tabled =
+    options.Technique == MesoTechnique::VDM || options.Technique == MesoTechnique::GDM;
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (options.Technique == MesoTechnique::VDM && options.Wrap != MesoWrap::Repeat)
   {
@@ -285,6 +295,11 @@ void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
       if (options.Quality == MesoQuality::Full)
       {
         ranks.Fail("quality full is the table itself, without factors");
+      }
+      if (options.Technique == MesoTechnique::GDM)
+      {
+        options.Rank = { static_cast<int>(ranks.ToInteger({ 1., MostFactorsOfVolumes, true })), 0 };
+        return;
       }
       const MesoSceneRange range = { 1., MostFactors, true };
       const auto list = ranks.ToList(2);
@@ -400,8 +415,8 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("technique",
     [&](const MesoSceneValue& name)
     {
-      options.Technique = name.ToChoice<MesoTechnique>(
-        "technique", &MesoTechniqueFromName, MesoTechniqueNames(), LaterTechniques);
+      options.Technique =
+        name.ToChoice<MesoTechnique>("technique", &MesoTechniqueFromName, MesoTechniqueNames());
     });
   const std::string name = MesoName(options.Technique);
   node.Material.NormalMapOfObject = options.Technique == MesoTechnique::NormalObject;

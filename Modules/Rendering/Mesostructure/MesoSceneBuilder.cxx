@@ -12,7 +12,6 @@
 #include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
 #include "MesoVDMInput.h"
-#include "MesoVolumeInput.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -470,14 +469,11 @@ void MesoSceneBuilder::MakeMapper(
   }
   else if (MesoUsesVolume(object.Options.Technique) && !MesoEffectsOn(object.Options).Empty())
   {
-    object.Mesh = MesoMakeShell(object.Base, object.Options, inScene, this->Warnings);
+    object.Mesh =
+      MesoMakeShell(object.Base, object.Volume, object.Options, inScene, this->Warnings);
     vtkNew<vtkMesoShellMapper> shell;
     shell->SetVolume(object.Volume);
-    if (object.Options.Technique == MesoTechnique::GDM)
-    {
-      shell->SetTable(MesoMakeShellTable(
-        object.Volume, object.Options, inScene + ".mesostructure", this->Warnings));
-    }
+    shell->SetTable(object.VolumeTable);
     object.Mapper = shell;
   }
   else if (object.Options.Technique == MesoTechnique::VDM)
@@ -544,15 +540,13 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       heights = this->MakeHeights(*node.Map, inScene + ".mesostructure");
       object.HeightMap = heights.Image;
     }
-    if (node.Volume && MesoUsesVolume(node.Mesostructure.Technique))
+    if (MesoUsesVolume(node.Mesostructure.Technique))
     {
       MesoCheckShellMaterial(node.Material, inScene);
-      object.Volume =
-        MesoReadVolume(*node.Volume, inScene + ".mesostructure.volume", this->Warnings);
-    }
-    if (MesoUsesHeightMap(node.Mesostructure.Technique) && !node.Map && !node.Baked.empty())
-    {
-      object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
+      const MesoShellVolume read =
+        MesoReadShellVolume(node, inScene + ".mesostructure", this->Warnings);
+      object.Volume = read.Volume;
+      object.VolumeTable = read.Table;
     }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||

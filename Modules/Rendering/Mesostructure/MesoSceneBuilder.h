@@ -39,11 +39,13 @@ public:
     std::string Name;
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
-    vtkSmartPointer<vtkPolyData> Base;       ///< with its frames
-    vtkSmartPointer<vtkPolyData> Mesh; ///< the base where height 1 lies: p + (1 - r) D n; or its shell
-    vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
-    vtkSmartPointer<vtkImageData> Volume;    ///< canonical, of techniques that draw one; or null
-    vtkSmartPointer<vtkImageData> NormalMap; ///< given to be shown in place of any other; or null
+    vtkSmartPointer<vtkPolyData> Base; ///< with its frames
+    vtkSmartPointer<vtkPolyData>
+      Mesh; ///< the base where height 1 lies: p + (1 - r) D n; or its shell
+    vtkSmartPointer<vtkImageData> HeightMap;   ///< null without one
+    vtkSmartPointer<vtkImageData> Volume;      ///< canonical, of techniques that draw one; or null
+    vtkSmartPointer<vtkImageData> VolumeTable; ///< of gdm: distances through the volume; or null
+    vtkSmartPointer<vtkImageData> NormalMap;   ///< given to be shown in place of any other; or null
     MesoNormalMapMeaning NormalMeaning;
     MesoMesostructureOptions Options;
   };
