@@ -80,7 +80,10 @@ protected:
     return holes;
   }
 
-  std::vector<float> Numbers() const { return this->Pass->GetInterleaved(this->Pass->GetChannelNames()); }
+  std::vector<float> Numbers() const
+  {
+    return this->Pass->GetInterleaved(this->Pass->GetChannelNames());
+  }
 };
 
 /// The prisms of a shell in another order: their faces are drawn in it.

@@ -129,7 +129,8 @@ TEST_F(PrismShell, CornersAreWhereTheMapOfPrismsSays)
       ASSERT_NEAR(place, PositionOf(shell, point)[axis], 2e-7);
     }
     ASSERT_NEAR(table->GetComponent(row, 3), TupleOf(shell, "TextureCoordinates", point)[0], 1e-7);
-    ASSERT_NEAR(table->GetComponent(row + 3, 3), TupleOf(shell, "TextureCoordinates", point)[1], 1e-7);
+    ASSERT_NEAR(
+      table->GetComponent(row + 3, 3), TupleOf(shell, "TextureCoordinates", point)[1], 1e-7);
   }
 }
 
@@ -181,7 +182,8 @@ TEST_F(PrismShell, HardEdgesTJunctionsAndDuplicatesEndByFins)
   EXPECT_EQ(this->Filter->GetNumberOfOpenFins(), 6);
   frames->SplitNormalsOn();
   frames->Update();
-  EXPECT_EQ(this->LoneAndWrong(this->Shell(frames->GetOutput(), 0.1)), (std::array<int, 2>{ 16, 0 }));
+  EXPECT_EQ(
+    this->LoneAndWrong(this->Shell(frames->GetOutput(), 0.1)), (std::array<int, 2>{ 16, 0 }));
   EXPECT_EQ(this->Filter->GetNumberOfOpenFins(), 8);
 
   // A T-junction: the edge from (0, 0) to (2, 0) on one side, in two parts on the other.

@@ -1,6 +1,7 @@
 #include "MesoSceneBuilder.h"
 
 #include "MesoAlgorithmRun.h"
+#include "MesoBakedFile.h"
 #include "MesoBumpMaps.h"
 #include "MesoHeightMap.h"
 #include "MesoMapInput.h"
@@ -11,7 +12,6 @@
 #include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
 #include "MesoVDMInput.h"
-#include "MesoVolumeInput.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -20,6 +20,8 @@
 #include "vtkMesoBumpMapper.h"
 #include "vtkMesoDisplacedMesh.h"
 #include "vtkMesoDisplacementMapper.h"
+#include "vtkMesoGeometryImage.h"
+#include "vtkMesoGeometryImageMapper.h"
 #include "vtkMesoImageReader.h"
 #include "vtkMesoLoopSubdivision.h"
 #include "vtkMesoMeshReader.h"
@@ -95,6 +97,9 @@ void SetColorMap(const std::string& fileName, const MesoMesostructureOptions& op
   texture->SetColorModeToDirectScalars();
   texture->InterpolateOn();
   texture->MipmapOn();
+  // VTK's default of 4 is for hardware: llvmpipe takes eight times as long, and chooses levels by how far
+  // the hits of neighbouring pixels lie apart, whatever steps the shader gives, so that pixels stray.
+  texture->SetMaximumAnisotropicFiltering(1.f);
   texture->SetWrap(options.Wrap == MesoWrap::Clamp ? vtkTexture::ClampToEdge
       : options.Wrap == MesoWrap::Mirror           ? vtkTexture::MirroredRepeat
                                                    : vtkTexture::Repeat);
@@ -150,6 +155,12 @@ void CheckGeometryEffects(const MesoMesostructureOptions& options, const std::st
       "no "
       "effect at all");
   }
+}
+
+/// Texels along a side of the geometry image that a scene's mesh is made into.
+int ImageSizeOf(MesoQuality quality)
+{
+  return static_cast<int>(256. * MesoFacetsPerTexel(quality));
 }
 
 std::array<double, 16> Multiply(
@@ -340,6 +351,12 @@ void MesoSceneBuilder::AddScalars(const MesoSceneMaterial& material, const Objec
   const std::string& inScene, vtkRenderer* renderer)
 {
   object.Mapper->ScalarVisibilityOff();
+  if (material.ColorBy && object.Options.Technique == MesoTechnique::GeometryImage)
+  {
+    throw MesoInputError(inScene +
+      ".color_by: technique geometry-image draws positions and normals, "
+      "and has no numbers to color by");
+  }
   if (material.ColorBy)
   {
     MesoSetSurfaceColors(*material.ColorBy, object.Mesh, object.Mapper);
@@ -385,6 +402,32 @@ MesoNormals MesoSceneBuilder::ReadNormals(
   return normals;
 }
 
+vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeGeometryImage(
+  const Object& object, const std::string& baked, const std::string& inScene)
+{
+  if (!baked.empty())
+  {
+    const MesoBaked file = MesoReadBaked(baked, "geometry-image");
+    std::string problem;
+    if (vtkMesoGeometryImage::NumberOfLevelsOf(file.Table, problem) == 0)
+    {
+      throw MesoInputError(inScene + ".mesostructure.baked: " + baked + ": " + problem);
+    }
+    return file.Table;
+  }
+  vtkNew<vtkMesoGeometryImage> image;
+  image->SetInputData(object.Mesh);
+  image->SetSize(ImageSizeOf(object.Options.Quality));
+  MesoRunAlgorithm(image, inScene + ".mesh", this->Warnings);
+  if (image->GetNumberOfOverlaps() > 0)
+  {
+    this->Warnings.push_back(inScene + ".mesh: several parts of the mesh share " +
+      std::to_string(image->GetNumberOfOverlaps()) +
+      " texels of its geometry image, which shows one of them");
+  }
+  return image->GetOutput();
+}
+
 void MesoSceneBuilder::MakeMapper(
   const MesoSceneNode& node, Object& object, const MesoNormals& normals, const std::string& inScene)
 {
@@ -426,14 +469,11 @@ void MesoSceneBuilder::MakeMapper(
   }
   else if (MesoUsesVolume(object.Options.Technique) && !MesoEffectsOn(object.Options).Empty())
   {
-    object.Mesh = MesoMakeShell(object.Base, object.Options, inScene, this->Warnings);
+    object.Mesh =
+      MesoMakeShell(object.Base, object.Volume, object.Options, inScene, this->Warnings);
     vtkNew<vtkMesoShellMapper> shell;
     shell->SetVolume(object.Volume);
-    if (object.Options.Technique == MesoTechnique::GDM)
-    {
-      shell->SetTable(MesoMakeShellTable(
-        object.Volume, object.Options, inScene + ".mesostructure", this->Warnings));
-    }
+    shell->SetTable(object.VolumeTable);
     object.Mapper = shell;
   }
   else if (object.Options.Technique == MesoTechnique::VDM)
@@ -466,6 +506,12 @@ void MesoSceneBuilder::MakeMapper(
     }
     object.Mapper = displacement;
   }
+  else if (object.Options.Technique == MesoTechnique::GeometryImage)
+  {
+    vtkNew<vtkMesoGeometryImageMapper> mapper;
+    mapper->SetGeometryImage(this->MakeGeometryImage(object, node.Baked, inScene));
+    object.Mapper = mapper;
+  }
   else if (object.Options.Technique == MesoTechnique::Tessellated)
   {
     object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
@@ -494,15 +540,13 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       heights = this->MakeHeights(*node.Map, inScene + ".mesostructure");
       object.HeightMap = heights.Image;
     }
-    if (node.Volume && MesoUsesVolume(node.Mesostructure.Technique))
+    if (MesoUsesVolume(node.Mesostructure.Technique))
     {
       MesoCheckShellMaterial(node.Material, inScene);
-      object.Volume =
-        MesoReadVolume(*node.Volume, inScene + ".mesostructure.volume", this->Warnings);
-    }
-    if (MesoUsesHeightMap(node.Mesostructure.Technique) && !node.Map && !node.Baked.empty())
-    {
-      object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
+      const MesoShellVolume read =
+        MesoReadShellVolume(node, inScene + ".mesostructure", this->Warnings);
+      object.Volume = read.Volume;
+      object.VolumeTable = read.Table;
     }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||

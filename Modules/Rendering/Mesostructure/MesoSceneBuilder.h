@@ -39,11 +39,13 @@ public:
     std::string Name;
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
-    vtkSmartPointer<vtkPolyData> Base;       ///< with its frames
-    vtkSmartPointer<vtkPolyData> Mesh; ///< the base where height 1 lies: p + (1 - r) D n; or its shell
-    vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
-    vtkSmartPointer<vtkImageData> Volume;    ///< canonical, of techniques that draw one; or null
-    vtkSmartPointer<vtkImageData> NormalMap; ///< given to be shown in place of any other; or null
+    vtkSmartPointer<vtkPolyData> Base; ///< with its frames
+    vtkSmartPointer<vtkPolyData>
+      Mesh; ///< the base where height 1 lies: p + (1 - r) D n; or its shell
+    vtkSmartPointer<vtkImageData> HeightMap;   ///< null without one
+    vtkSmartPointer<vtkImageData> Volume;      ///< canonical, of techniques that draw one; or null
+    vtkSmartPointer<vtkImageData> VolumeTable; ///< of gdm: distances through the volume; or null
+    vtkSmartPointer<vtkImageData> NormalMap;   ///< given to be shown in place of any other; or null
     MesoNormalMapMeaning NormalMeaning;
     MesoMesostructureOptions Options;
   };
@@ -63,6 +65,9 @@ private:
   /// The technique's mapper with its maps, and the mesh that it draws.
   void MakeMapper(const MesoSceneNode& node, Object& object, const MesoNormals& normals,
     const std::string& inScene);
+  /// Read where a baked file is named, else made of the object's mesh.
+  vtkSmartPointer<vtkImageData> MakeGeometryImage(
+    const Object& object, const std::string& baked, const std::string& inScene);
   /// Colours, contour lines and a scalar bar of the object's numbers.
   void AddScalars(const MesoSceneMaterial& material, const Object& object,
     const std::string& inScene, vtkRenderer* renderer);
