@@ -95,6 +95,10 @@ void CommandRender::Override(std::vector<MesoSceneNode>& nodes) const
       options.Technique = *this->Technique;
       options.Effects = MesoEffectChoice();
       options.Search.reset(); // of the scene's technique
+      if (!MesoHasSearches(options.Technique))
+      {
+        options.Interpolation = MesoInterpolation::Bilinear;
+      }
     }
     options.Quality = this->Quality.value_or(options.Quality);
     if (this->Search && options.Technique != MesoTechnique::Plain)

@@ -19,9 +19,12 @@ float heightPerPixel()
   {
     return 0.0; // seen from behind: the base mesh
   }
+#ifdef MESO_SURFACE_HEIGHTS
+  vec2 gradient = surfaceFacet(mesoHit.MapCoord);
+#else
   vec2 gradient = patchGradient(mesoHit.MapCoord);
-  return length(vec2(dot(gradient, stepOverMap(mesoPositionDx)),
-    dot(gradient, stepOverMap(mesoPositionDy))));
+#endif
+  return length(vec2(dot(gradient, mesoMapDx), dot(gradient, mesoMapDy)));
 #endif
 }
 

@@ -3,7 +3,8 @@
 // jump wherever one of them sees another part of the relief.
 //   MESO_DIFFERENTIAL  these chunks are in the shader
 //   MESO_DISPLACED     the mesh itself is the detail: its own derivatives are continuous
-//   MESO_OCCLUSION     the hit lies on the relief, else on the base mesh
+//   MESO_SURFACE_HEIGHTS, MESO_OCCLUSION  the hit lies on a relief, else on or near the base mesh, whose own
+//                      derivatives are continuous
 
 // A facet seen flatter than this sine is taken as this steep: its numbers would have no end.
 const float MESO_LEAST_SLANT = 0.02;
@@ -15,7 +16,7 @@ vec3 mesoPositionDy;
 vec2 mesoReliefPerPixel; // change of depth to the right and up
 #endif
 
-#ifdef MESO_FRAME
+#if defined(MESO_SURFACE_HEIGHTS) && defined(MESO_OCCLUSION)
 // Step on the facet's plane from the hit to where the ray of the neighbouring pixel meets it, for
 // the step on the base mesh between the two pixels' fragments.
 vec3 stepOnFacet(vec3 baseStepVC)
@@ -28,11 +29,7 @@ vec3 stepOnFacet(vec3 baseStepVC)
   {
     across = across * (1.0 + mesoHit.RayLength / fragmentDistance);
   }
-#ifdef MESO_OCCLUSION
   vec3 normal = mesoHit.FacetNormalVC;
-#else
-  vec3 normal = mesoFragment.NormalVC;
-#endif
   float slant = min(dot(normal, view), -MESO_LEAST_SLANT);
   return across - dot(normal, across) / slant * view;
 }
@@ -46,3 +43,12 @@ vec2 stepOverMap(vec3 baseStepVC)
   return stepTS.xy;
 }
 #endif
+
+// To be called once the hit is known; until then they are the base mesh's own.
+void setStepsOverMap()
+{
+#if defined(MESO_SURFACE_HEIGHTS) && defined(MESO_OCCLUSION)
+  mesoMapDx = stepOverMap(mesoPositionDx);
+  mesoMapDy = stepOverMap(mesoPositionDy);
+#endif
+}

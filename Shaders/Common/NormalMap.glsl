@@ -15,13 +15,13 @@ uniform float mesoNormalScale;
 in vec2 mesoTileScaleVSOutput; // object units per unit of the mesh's own coordinate
 #endif
 
-// Green up, at a map coordinate; `base` is the fragment's, whose derivatives choose the level.
-vec3 storedNormal(vec2 at, vec2 base)
+// Green up, at a map coordinate; perTile: the map's own coordinates to one.
+vec3 storedNormal(vec2 at, vec2 perTile)
 {
 #ifdef MESO_AOV
   vec3 stored = textureLod(mesoNormalMap, at, 0.0).xyz; // numbers are those of the map itself
 #else
-  vec3 stored = textureGrad(mesoNormalMap, at, dFdx(base), dFdy(base)).xyz;
+  vec3 stored = textureGrad(mesoNormalMap, at, perTile * mesoMapDx, perTile * mesoMapDy).xyz;
 #endif
   return stored * mesoNormalFactor + mesoNormalShift;
 }
@@ -31,11 +31,11 @@ void mapNormal(MesoFragment f, inout MesoSurfaceHit hit)
 {
 #ifdef MESO_NORMAL_OBJECT
   // The map lies on the mesh's own coordinates, once: it knows each point of the mesh.
-  vec3 stored = storedNormal(hit.MapCoord / mesoTiles, f.MapCoord / mesoTiles);
+  vec3 stored = storedNormal(hit.MapCoord / mesoTiles, 1.0 / mesoTiles);
   vec3 normal = mesoNormalMatrix * stored;
   bool behind = !gl_FrontFacing;
 #else
-  vec3 stored = storedNormal(hit.MapCoord, f.MapCoord);
+  vec3 stored = storedNormal(hit.MapCoord, vec2(1.0));
   vec3 inward = mesoModelToView * -normalize(mesoNormalMCVSOutput);
   bool behind = dot(inward, f.NormalVC) > 0.0;
   // A normal gives the slopes -x/z and -y/z; times z, so that z may be 0.

@@ -1,10 +1,27 @@
 // The search that was chosen, for techniques that follow a path through a height map.
 //   MESO_SEARCH  which: as MesoSearch counts
 //   MESO_LINEAR_STEPS, MESO_REFINING_STEPS  its steps
+//   MESO_FILTER  where texels are smaller than pixels, the surface is that of a level of the map's pyramid,
+//                of which cones and patches know nothing: by equal steps, two to a texel of the level
+
+#ifdef MESO_FILTER
+int stepsOfLevel(HeightPath path)
+{
+  vec2 span = abs(pathMap(path, 1.0) - pathMap(path, 0.0)) * vec2(mapSize()) * exp2(-mesoLevel);
+  float steps = clamp(2.0 * (span.x + span.y) + 4.0, 4.0, float(MESO_LINEAR_STEPS));
+  return pathSteps(path, int(steps));
+}
+#endif
 
 // First meeting of the path with the relief.
 HeightHit searchRelief(HeightPath path)
 {
+#ifdef MESO_FILTER
+  if (mesoLevel > 0.0)
+  {
+    return searchLinearBinary(path, stepsOfLevel(path), MESO_REFINING_STEPS);
+  }
+#endif
 #if MESO_SEARCH == 3
   return searchCertified(path);
 #elif MESO_SEARCH == 2
@@ -46,6 +63,12 @@ HeightHit searchKept(MesoFragment f, HeightPath path, float rayLength)
 // 1.0 where the relief blocks a path out of it, else 0.0.
 float reliefOccludes(HeightPath path, out int fetches)
 {
+#ifdef MESO_FILTER
+  if (mesoLevel > 0.0)
+  {
+    return occludedLinear(path, stepsOfLevel(path), fetches);
+  }
+#endif
 #if MESO_SEARCH == 3
   return occludedCertified(path, fetches);
 #elif MESO_SEARCH == 2

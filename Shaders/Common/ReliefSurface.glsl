@@ -1,6 +1,6 @@
 // The contract of a technique for those that look for a height map's relief along a ray: what they share
-// around their way to it. Stands on Common/ReliefFrame and Kernels/HeightField. The technique itself defines
-// the three functions that are declared here.
+// around their way to it. Stands on Common/ReliefFrame and Common/HeightSurface. The technique itself
+// defines the three functions that are declared here.
 
 // Follow the view ray to the hit's RayLength, MapCoord, Relief, Fetches and Iterations, or to a miss.
 // Where no ray can be followed the hit stays the base, and the result is false.
@@ -29,17 +29,17 @@ MesoSurfaceHit traceSurface(MesoFragment f)
     return hit;
   }
 #else
-  hit.Relief = 1.0 - bilinearHeight(f.MapCoord);
+  hit.Relief = 1.0 - surfaceHeight(f.MapCoord);
   hit.Fetches = 1;
   hit.TexelReads = 4;
 #endif
 #ifdef MESO_SHADING
-  hit.NormalVC = reliefNormal(f, hit, heightGradient(hit.MapCoord));
+  hit.NormalVC = reliefNormal(f, hit, surfaceGradient(hit.MapCoord));
   hit.Fetches += 1;
   hit.TexelReads += 12;
 #endif
 #if defined(MESO_SELF_SHADOW) || defined(MESO_AOV) || defined(MESO_DIFFERENTIAL)
-  hit.FacetNormalVC = reliefNormal(f, hit, patchGradient(hit.MapCoord));
+  hit.FacetNormalVC = reliefNormal(f, hit, surfaceFacet(hit.MapCoord));
 #endif
 #ifdef MESO_SELF_SHADOW
   hit.Fetches += 1; // the facet's; AOVs alone do not count as cost

@@ -8,7 +8,14 @@
 //   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
 //   MESO_CLIPPED      clipping planes cut the surface
 //   MESO_NORMAL_MAP   a normal map gives the shading normal: Common/NormalMap
+//   MESO_SURFACE_HEIGHTS  the technique draws the height map's surface: Common/HeightSurface
 //   MESO_AOV          every pixel's hit is written out as numbers
+//   MESO_DIFFERENTIAL how the hit moves from pixel to pixel is known: Common/DifferentialDec
+//   MESO_FILTER       heights are averaged over what a pixel covers: Common/HeightSurface. Numbers and
+//                     shadow maps are of the map itself
+#if defined(MESO_AOV) || defined(MESO_CASTER)
+#undef MESO_FILTER
+#endif
 //   MESO_LIGHT_COUNT  number of lights that are on
 
 // What the rasteriser knows of the base mesh at this fragment.
@@ -69,6 +76,10 @@ in vec3 mesoMetricVSOutput;
 MesoFragment mesoFragment;
 MesoSurfaceHit mesoHit;
 vec3 mesoHitVC; // where the drawn surface is: on the relief with MESO_OCCLUSION
+#ifdef MESO_DIFFERENTIAL
+vec2 mesoMapDx; // step over the map from the hit to that of the pixel on the right, and above
+vec2 mesoMapDy;
+#endif
 
 MesoFragment makeFragment(bool parallelProjection, bool frontFacing)
 {

@@ -13,7 +13,14 @@
   // Its derivatives are undefined once a miss has discarded a fragment.
   mesoFacetVC = facetOf(mesoFragment.PositionVC, mesoFragment.NormalVC);
 #endif
+#ifdef MESO_FILTER
+  mesoLevel =
+    levelOfPixel(mesoFragment, dFdx(mesoFragment.MapCoord), dFdy(mesoFragment.MapCoord));
+#endif
   mesoHit = traceSurface(mesoFragment);
+#ifdef MESO_DIFFERENTIAL
+  setStepsOverMap();
+#endif
 #ifdef MESO_NORMAL_MAP
   mapNormal(mesoFragment, mesoHit); // has derivatives: before anything is discarded
 #endif

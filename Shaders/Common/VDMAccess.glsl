@@ -7,7 +7,7 @@
 
 uniform float mesoVDMDepth;      // of the relief, in tiles
 uniform float mesoVDMRange;      // what the stored number 1 stands for, in tiles
-uniform float mesoVDMError;      // root mean square error of what is stored, in tiles
+uniform float mesoVDMError;      // root mean square error of what is interpolated between angles, in tiles
 uniform vec2 mesoVDMCurvatures;  // the first and the last
 uniform vec2 mesoVDMTexels;      // of the table, a tile
 

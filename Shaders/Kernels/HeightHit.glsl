@@ -3,6 +3,9 @@
 // Needs HeightField.glsl
 // Needs HeightPath.glsl
 //
+// What lies between texels is the accessor's, float surfaceHeight(vec2 uv): mapHeight of HeightBilinear or
+// of HeightBicubic, or what a pixel sees of it.
+//
 // HeightPath.glsl is one of several: CubicPath, AcrossPath and CirclePath have the same names for
 // other ways through the map (HeightPath, pathIsSound, pathNearOrigin, pathDepth, pathMap, pathSteps).
 
@@ -21,7 +24,7 @@ struct HeightHit
 // How far a point of the path lies above the relief, in depth; 0 or less is inside.
 float exactClearance(HeightPath path, float part)
 {
-  return (1.0 - bilinearHeight(pathMap(path, part))) - pathDepth(path, part);
+  return (1.0 - surfaceHeight(pathMap(path, part))) - pathDepth(path, part);
 }
 
 // No hit, and no work done.

@@ -6,7 +6,7 @@
 // Needs HeightHit.glsl
 //
 // The march uses sampleHeight, whose weights may be coarse (8 bits on common samplers). Whatever it
-// finds is confirmed by bilinearHeight before it counts, so that no hit and no shadow hangs on the
+// finds is confirmed by exactClearance before it counts, so that no hit and no shadow hangs on the
 // sampler's rounding and every device finds the same point.
 
 // Two points of a path, the first above the relief and the second inside of it.

@@ -2,7 +2,7 @@
 // drawn is the base mesh, and only its normal is that of the detail above each point. The slopes are
 // central differences over one texel, or over one texel of the level of the map's pyramid whose texels
 // are as large as pixels. Stands on Common/ReliefFrame.
-//   MESO_HEIGHTS      there is a height map: Common/HeightAccess, Kernels/HeightField
+//   MESO_HEIGHTS      there is a height map: Common/HeightAccess, Common/HeightLevels, Kernels/HeightField
 //   MESO_SELF_SHADOW  Techniques/Horizon says what blocks light
 
 #ifdef MESO_HEIGHTS
@@ -26,13 +26,7 @@ vec2 filteredGradient(vec2 mapCoord, float level)
   {
     return heightGradient(mapCoord);
   }
-  vec2 texel = exp2(level) / vec2(mapSize());
-  vec2 alongU = vec2(texel.x, 0.0);
-  vec2 alongV = vec2(0.0, texel.y);
-  return 0.5 *
-    vec2(filteredHeight(mapCoord + alongU, level) - filteredHeight(mapCoord - alongU, level),
-      filteredHeight(mapCoord + alongV, level) - filteredHeight(mapCoord - alongV, level)) /
-    texel;
+  return gradientOfLevel(mapCoord, level);
 }
 #endif
 

@@ -118,12 +118,12 @@ void moveOntoBase(BaseRay ray, float stepLength, inout float time, inout HeightH
   {
     return;
   }
-  float clearance = (1.0 - bilinearHeight(state.MapCoord)) - state.Depth;
-  float closing = dot(patchGradient(state.MapCoord), state.Rate.xy) + state.Rate.z;
+  float clearance = (1.0 - surfaceHeight(state.MapCoord)) - state.Depth;
+  float closing = dot(surfaceFacet(state.MapCoord), state.Rate.xy) + state.Rate.z;
   float further = closing > 0.0 ? clamp(clearance / closing, -stepLength, stepLength) : 0.0;
   vec2 map = state.MapCoord + further * state.Rate.xy;
   float depth = state.Depth + further * state.Rate.z;
-  if (abs((1.0 - bilinearHeight(map)) - depth) > abs(clearance)) // over an edge of the relief
+  if (abs((1.0 - surfaceHeight(map)) - depth) > abs(clearance)) // over an edge of the relief
   {
     map = state.MapCoord;
     depth = state.Depth;
@@ -249,7 +249,7 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
   BaseRay ray = rayOverBase(f.PositionVC + hit.RayLength * f.ViewVC, toView * travel);
   BasePoint under = baseAt(hit.MapCoord);
   // The relief itself over the hit's place: the hit may lie a rounding below it.
-  float depth = min(hit.Relief, 1.0 - bilinearHeight(hit.MapCoord));
+  float depth = min(hit.Relief, 1.0 - surfaceHeight(hit.MapCoord));
   if (under.Known)
   {
     ray.Start = under.Position - depth * mesoScale * under.Normal;

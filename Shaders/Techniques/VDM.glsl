@@ -5,6 +5,7 @@
 //   MESO_CURVATURE       the base has the curvature of the vertices; without it, it is flat
 //   MESO_SILHOUETTE      rays beyond the largest polar angle at which there is relief are not drawn
 //   MESO_VDM_FLAT_SHADOW light comes out of a flat base, as in the paper
+//   MESO_VDM_NEAREST     the largest angle is that of the nearest texel, as in the paper
 
 // 1 / tile, of the base along a direction over the map: quadric z = c rho^2 / 2, in units of the depth.
 float tableCurvature(MesoFragment f, VDMLayout table, vec2 over)
@@ -36,6 +37,23 @@ float lookUp(VDMLayout table, vec2 mapCoord, VDMDirection ray, float curvature, 
   return stored;
 }
 
+// Is the ray flatter than all that meet the relief? Where the base is not convex none is.
+bool missesRelief(
+  MesoFragment f, VDMLayout table, VDMDirection ray, float curvature, inout int fetches)
+{
+  if (!(curvature > 0.0))
+  {
+    return false;
+  }
+#ifdef MESO_VDM_NEAREST
+  vec2 mapCoord = (floor(f.MapCoord * mesoVDMTexels) + 0.5) / mesoVDMTexels;
+#else
+  vec2 mapCoord = f.MapCoord;
+#endif
+  return ray.Polar > VDMRightAngle *
+      sampleMVM(mapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), 0.0, fetches);
+}
+
 bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
 {
   VDMLayout table = vdmTable();
@@ -58,9 +76,7 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   float curvature = tableCurvature(f, table, ray.Over);
   float stored = lookUp(table, f.MapCoord, ray, curvature, hit.Fetches);
 #ifdef MESO_SILHOUETTE
-  // Where the base is not convex every ray comes down to the relief.
-  if (curvature > 0.0 && ray.Polar > VDMRightAngle *
-        sampleMVM(f.MapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), 0.0, hit.Fetches))
+  if (missesRelief(f, table, ray, curvature, hit.Fetches))
   {
     hit.Found = false;
     return false;

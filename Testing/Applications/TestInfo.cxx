@@ -320,3 +320,25 @@ TEST_F(Info, ReliefMaps)
   scene("rgb.png");
   this->ExpectRefused("s.json", "a relief map has four channels");
 }
+
+TEST_F(Info, SaysWhatAVolumeHolds)
+{
+  std::string text = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 8 4 4\nspacings: 1 1 2\n"
+                     "encoding: text\n\n";
+  for (int i = 0; i < 128; ++i)
+  {
+    text += std::to_string(i % 8) + " ";
+  }
+  this->Folder.Write("v.nrrd", text);
+  const Json json = this->Of("v.nrrd");
+  EXPECT_EQ(json["kind"], "volume");
+  EXPECT_EQ(json["size"], Json({ 8, 4, 4 }));
+  EXPECT_EQ(json["values"], "unsigned char");
+  EXPECT_EQ(json["least"], 0.);
+  EXPECT_EQ(json["most"], 7.);
+  EXPECT_EQ(json["depth_in_tile_widths"], 1.);
+  EXPECT_EQ(json["over_the_border_in_x"]["tiles"], "no");
+  EXPECT_EQ(json["over_the_border_in_y"]["tiles"], "yes");
+  this->Folder.Write("junk.nrrd", "junk");
+  this->ExpectRefused("junk.nrrd", "no NRRD file");
+}

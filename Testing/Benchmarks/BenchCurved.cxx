@@ -4,7 +4,7 @@
 //
 //   BenchCurved distances the report's Figure 10, as CSV: equation 6, equation 7 and the distance to the
 //                         quadric along its own normals, over the true depth below a cylinder
-//   BenchCurved shapes    every base on round, hollow and saddle-shaped bases
+//   BenchCurved shapes    every base on round, hollow and saddle-shaped bases in three tessellations
 //   BenchCurved depths    a torus whose relief goes deeper and deeper
 //   BenchCurved time      the torus of 8 x 3 tiles, 512 x 512
 
@@ -14,6 +14,7 @@
 #include "MesoKernels.h"
 #include "MesoReference.h"
 #include "MesoTestScene.h"
+#include "QuadricDistances.h"
 
 #include "vtkMesoReliefMapper.h"
 
@@ -25,6 +26,8 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 
 namespace
 {
@@ -48,7 +51,8 @@ struct Shape
   const char* Name;
   const char* Mesh;
   const char* Camera;
-  const char* Relief; ///< scale and tiles
+  const char* Relief;    ///< scale and tiles
+  bool HasSmooth = true; ///< a closed form
 };
 
 const Shape Shapes[] = {
@@ -69,48 +73,23 @@ const Shape Shapes[] = {
   { "torus from inside", R"({"shape": "torus", "rings": 80, "sides": 30})",
     R"({"position": [0, 0.7, 0.2], "focal_point": [0, 0, -0.6], "view_up": [0, 1, 0], "view_angle": 60})",
     R"("scale": 0.12, "tiles": [8, 3])" },
-  { "saddle", "\"saddle.obj\"",
+  { "saddle", "a file", // SaddleFile
     R"({"position": [0, -3.4, 1.5], "focal_point": [0, 0, 0], "view_up": [0, 0, 1], "view_angle": 34})",
-    R"("scale": 0.08, "tiles": [4, 4])" },
-  { "teapot", "\"teapot.obj\"",
-    R"({"position": [1.5, 5.5, 9], "focal_point": [0.2, 1.4, 0], "view_up": [0, 1, 0], "view_angle": 32})",
-    R"("scale": 0.06, "tiles": [2, 2])" },
+    R"("scale": 0.08, "tiles": [4, 4])", false },
+  { "teapot", R"({"shape": "teapot", "segments": 8})",
+    R"({"position": [0.8, 2.4, 4.4], "focal_point": [0.1, 0.6, 0], "view_up": [0, 1, 0], "view_angle": 32})",
+    R"("scale": 0.03, "tiles": [2, 2])", false },
 };
 
-/// Distance from (x, z) to the parabola z = x^2 / 2, z down, by Newton's method on the foot's x.
-double NormalDistance(double x, double z)
-{
-  double foot = x;
-  for (int i = 0; i < 60; ++i)
-  {
-    const double value = foot - x + foot * (0.5 * foot * foot - z);
-    const double slope = 1. + 1.5 * foot * foot - z;
-    foot -= value / slope;
-  }
-  return std::hypot(x - foot, z - 0.5 * foot * foot);
-}
-
-/// Rays that enter a cylinder of radius 1 at some angles to its normal, where they are truly 0.05 deep, or
-/// half as deep as they get.
+/// Rays that enter a cylinder of radius 1 at some angles to its normal.
 void MeasureDistances()
 {
-  const MesoKernels::Double::QuadricExact kernel;
-  const glm::dvec3 quadric(0.5, 0., 0.);
   std::printf("degrees,true_depth,equation_6,equation_7,normal_distance\n");
   for (const double degrees :
     { 0.1, 0.5, 1., 2., 5., 10., 20., 30., 40., 50., 60., 70., 75., 80., 85., 88., 89. })
   {
-    const double angle = degrees * 3.14159265358979323846 / 180.;
-    const glm::dvec3 view(std::sin(angle), 0., std::cos(angle));
-    const double depth = std::min(0.05, 0.5 * (1. - view.x));
-    // (1 - depth)^2 = x^2 + (1 - z)^2
-    const double rest = depth * (2. - depth);
-    const double time = rest / (view.z + std::sqrt(view.z * view.z - rest));
-    const glm::dvec3 point = time * view;
-    const glm::dvec3 across = kernel.acrossView({ 0., 0., -1. }, view);
-    std::printf("%g,%.6f,%.4f,%.4f,%.4f\n", degrees, depth,
-      kernel.distanceAcross(quadric, across, point) / depth,
-      kernel.distanceToQuadric(quadric, point) / depth, NormalDistance(point.x, point.z) / depth);
+    const QuadricDistances at = DistancesAt(degrees);
+    std::printf("%g,%.6f,%.4f,%.4f,%.4f\n", degrees, at.Depth, at.Across, at.Along, at.Normal);
   }
 }
 
@@ -122,7 +101,7 @@ MesoScene SceneOf(const std::string& mesh, const std::string& camera, const std:
     "nodes": [{"mesh": )" +
     mesh + R"(, "mesostructure": {)" + technique + ", " + relief +
     R"(, "quality": "high", "height_map": {"pattern": "smooth", "size": [256, 256]}}}] })";
-  return MesoParseScene(text, MESO_MESHES "/bench.json");
+  return MesoParseScene(text, "bench.json");
 }
 
 MesoAOVs TruthOf(const MesoScene& scene, int size, MesoReference::Surface surface)
@@ -154,23 +133,86 @@ void PrintHead()
     "tex p95", "depth95", "holes", "smooth IoU", "tex p95");
 }
 
+/// A built-in shape's mesh with its numbers of rings, sides and segments times a factor.
+std::string Finer(const std::string& mesh, double factor)
+{
+  std::string finer = mesh;
+  for (const std::string key : { "\"rings\": ", "\"sides\": ", "\"segments\": " })
+  {
+    const std::size_t found = finer.find(key);
+    if (found != std::string::npos)
+    {
+      const std::size_t from = found + key.size();
+      const std::size_t to = finer.find_first_of(",}", from);
+      const int count = std::stoi(finer.substr(from, to - from));
+      finer.replace(from, to - from, std::to_string(std::lround(factor * count)));
+    }
+  }
+  return finer;
+}
+
+/// A file of the saddle z = 0.4 (x^2 - y^2) over [-1, 1]^2 in n x n cells of two triangles; its name.
+std::string SaddleFile(int n)
+{
+  const std::string name =
+    (std::filesystem::temp_directory_path() / ("meso-saddle-" + std::to_string(n) + ".obj"))
+      .string();
+  std::ofstream file(name);
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      const double x = 2. * i / n - 1.;
+      const double y = 2. * j / n - 1.;
+      file << "v " << x << " " << y << " " << 0.4 * (x * x - y * y) << "\nvt " << double(i) / n
+           << " " << double(j) / n << "\n";
+    }
+  }
+  const auto corner = [&](int i, int j)
+  {
+    const std::string id = std::to_string(i * (n + 1) + j + 1);
+    return " " + id + "/" + id;
+  };
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      file << "f" << corner(i, j) << corner(i + 1, j) << corner(i + 1, j + 1) << "\n";
+      file << "f" << corner(i, j) << corner(i + 1, j + 1) << corner(i, j + 1) << "\n";
+    }
+  }
+  return name;
+}
+
+/// The mesh of a shape in one of three tessellations, each twice as fine as the one before; 1 is its own.
+std::string TessellationOf(const Shape& shape, int level)
+{
+  return shape.Mesh[0] == '{' ? Finer(shape.Mesh, 0.5 * (1 << level))
+                              : "\"" + SaddleFile(16 << level) + "\"";
+}
+
 void MeasureShapes()
 {
   constexpr int size = 320;
+  const char* const levels[] = { "half as fine", "as it is", "twice as fine" };
   for (const Shape& shape : Shapes)
   {
-    const MesoScene scene = SceneOf(shape.Mesh, shape.Camera, shape.Relief, Bases[0].Keys);
-    const MesoAOVs mesh = TruthOf(scene, size, MesoReference::Surface::Mesh);
-    const bool closed = shape.Mesh[0] == '{';
-    const MesoAOVs smooth = closed ? TruthOf(scene, size, MesoReference::Surface::Smooth) : mesh;
-    std::printf("%s\n", shape.Name);
-    PrintHead();
-    for (const Base& base : Bases)
+    for (int level = 0; level < 3; ++level)
     {
-      PrintErrors(base.Name, mesh, closed ? &smooth : nullptr,
-        SceneOf(shape.Mesh, shape.Camera, shape.Relief, base.Keys), size);
+      const std::string base = TessellationOf(shape, level);
+      const MesoScene scene = SceneOf(base, shape.Camera, shape.Relief, Bases[0].Keys);
+      const MesoAOVs mesh = TruthOf(scene, size, MesoReference::Surface::Mesh);
+      const MesoAOVs smooth =
+        shape.HasSmooth ? TruthOf(scene, size, MesoReference::Surface::Smooth) : mesh;
+      std::printf("%s, %s\n", shape.Name, levels[level]);
+      PrintHead();
+      for (const Base& way : Bases)
+      {
+        PrintErrors(way.Name, mesh, shape.HasSmooth ? &smooth : nullptr,
+          SceneOf(base, shape.Camera, shape.Relief, way.Keys), size);
+      }
+      std::printf("\n");
     }
-    std::printf("\n");
   }
 }
 

@@ -58,8 +58,8 @@ inline int MesoCheckEveryPixel(const vtkMesoAOVPass* pass)
   return covered;
 }
 
-/// One shape with relief in a technique, and its AOVs.
-class MesoReliefAOVs : public testing::TestWithParam<MesoTechnique>
+/// One shape with relief in a technique over a base, and its AOVs.
+class MesoReliefAOVs : public testing::TestWithParam<MesoReliefArm>
 {
 protected:
   MesoTestScene Scene{ 96, 96 };

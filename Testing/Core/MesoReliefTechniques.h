@@ -8,6 +8,11 @@
  *     class ReliefCase : public testing::TestWithParam<MesoTechnique> { ... };
  *     TEST_P(ReliefCase, Aspect) { ... }
  *     MESO_FOR_RELIEF_TECHNIQUES(ReliefCase);
+ *
+ * or once for each technique and each base that it bends its relief over:
+ *
+ *     class ReliefCase : public testing::TestWithParam<MesoReliefArm> { ... };
+ *     MESO_FOR_RELIEF_ARMS(ReliefCase);
  */
 
 #include "MesoOptions.h"
@@ -28,6 +33,41 @@ inline void PrintTo(MesoTechnique technique, std::ostream* os)
   *os << MesoName(technique);
 }
 
+/// A technique, and what it takes the base for.
+struct MesoReliefArm
+{
+  MesoTechnique Technique;
+  MesoCurvedKind Curved;
+
+  std::string TestName() const
+  {
+    if (this->Technique == MesoTechnique::ReliefQuadricExact)
+    {
+      return "ReliefQuadricExact";
+    }
+    const std::string name = MesoTechniqueTestName(this->Technique);
+    return this->Curved == MesoCurvedKind::Quadric ? name : name + "_" + MesoName(this->Curved);
+  }
+};
+
+inline void PrintTo(const MesoReliefArm& arm, std::ostream* os)
+{
+  *os << MesoName(arm.Technique) << " " << MesoName(arm.Curved);
+}
+
+inline const MesoReliefArm MesoReliefArms[] = {
+  { MesoTechnique::Relief, MesoCurvedKind::Quadric },
+  { MesoTechnique::ReliefQuadric, MesoCurvedKind::Quadric },
+  { MesoTechnique::ReliefQuadric, MesoCurvedKind::Osculating },
+  { MesoTechnique::ReliefQuadric, MesoCurvedKind::Bent },
+  { MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface },
+  { MesoTechnique::ReliefQuadricExact, MesoCurvedKind::Quadric },
+};
+
+#define MESO_FOR_RELIEF_ARMS(suite)                                                                \
+  INSTANTIATE_TEST_SUITE_P(Arm, suite, testing::ValuesIn(MesoReliefArms),                          \
+    [](const testing::TestParamInfo<MesoReliefArm>& info) { return info.param.TestName(); })
+
 #define MESO_FOR_RELIEF_TECHNIQUES(suite)                                                          \
   INSTANTIATE_TEST_SUITE_P(Technique, suite,                                                       \
     testing::Values(MesoTechnique::Relief, MesoTechnique::ReliefQuadric),                          \
@@ -41,6 +81,18 @@ inline void MesoUse(vtkMesoReliefMapper* mapper, MesoTechnique technique, vtkPol
   options.Technique = technique;
   mapper->SetOptions(options);
   mapper->SetInputData(MesoTestScene::Prepared(mesh, technique));
+}
+
+/// The same over one of the bases, with the image of the mesh that it may need.
+inline void MesoUse(vtkMesoReliefMapper* mapper, const MesoReliefArm& arm, vtkPolyData* mesh)
+{
+  MesoMesostructureOptions options = mapper->GetOptions();
+  options.Curved = arm.Curved;
+  mapper->SetOptions(options);
+  MesoUse(mapper, arm.Technique, mesh);
+  mapper->SetBaseImage(MesoNeedsBaseImage(mapper->GetOptions())
+      ? MesoTestScene::BaseImage(mapper->GetInput())
+      : nullptr);
 }
 
 #endif

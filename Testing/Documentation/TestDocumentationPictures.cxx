@@ -25,6 +25,7 @@ struct Picture
   const char* Size;
   const char* Verb = "render";
   const char* Technique = ""; ///< in place of the scene's
+  const char* Samples = "4";
 };
 
 // GoogleTest puts it into the test's name, which must not change from run to run.
@@ -54,10 +55,16 @@ const Picture Pictures[] = {
   { "DepthCylinders", "Documentation/DepthCylinders.json", "400x300" },
   { "DisplacementLevels", "Documentation/DisplacementLevels.json", "320x240" },
   { "ReferenceDemo", "demo.json", "320x240", "reference" },
+  { "GeometryImageCube", "Documentation/GeometryImageCube.json", "320x240" },
   { "HeightFieldGlobe", "Documentation/HeightFieldGlobe.json", "400x300" },
   { "HeightFieldPlane", "Documentation/HeightFieldPlane.json", "400x300" },
+  { "ReliefCloseUpBilinear", "Documentation/ReliefCloseUpBilinear.json", "320x240" },
+  { "ReliefCloseUpBicubic", "Documentation/ReliefCloseUpBicubic.json", "320x240" },
   { "ReliefColumn", "Documentation/ReliefColumn.json", "400x300" },
   { "ReliefDraft", "Documentation/ReliefDraft.json", "400x300" },
+  { "ReliefFarFiltered", "Documentation/ReliefFarFiltered.json", "320x240", "render", "", "1" },
+  { "ReliefFarTruth", "Documentation/ReliefFarUnfiltered.json", "320x240", "reference", "", "16" },
+  { "ReliefFarUnfiltered", "Documentation/ReliefFarUnfiltered.json", "320x240", "render", "", "1" },
   { "ReliefHigh", "Documentation/ReliefHigh.json", "400x300" },
   { "ReliefMapDepth", "Documentation/ReliefMapDepth.json", "400x300" },
   { "ReliefQuadricHole", "Documentation/ReliefQuadricHole.json", "400x300" },
@@ -68,6 +75,11 @@ const Picture Pictures[] = {
   { "ShadowsFloorReference", "Documentation/ShadowsFloor.json", "400x300", "reference" },
   { "TessellatedDraft", "Documentation/TessellatedDraft.json", "400x300" },
   { "TessellatedTorus", "Documentation/TessellatedTorus.json", "400x300" },
+  { "VDMDraft", "Documentation/VDMDraft.json", "400x300" },
+  { "VDMFull", "Documentation/VDMFull.json", "400x300" },
+  { "VDMMedium", "Documentation/VDMMedium.json", "400x300" },
+  { "VDMReference", "Documentation/VDMFull.json", "400x300", "reference" },
+  { "VDMTorus", "Documentation/VDMTorus.json", "400x300" },
   { "PatternBrick", "Documentation/PatternBrick.json", "320x240" },
   { "PatternNoise", "Documentation/PatternNoise.json", "320x240" },
   { "PatternSmooth", "Documentation/PatternSmooth.json", "320x240" },
@@ -107,8 +119,8 @@ const Picture Pictures[] = {
   { "SurfaceCylinderConfidence", "Documentation/SurfaceCylinderConfidence.json", "400x300" },
 };
 
-/// By TestDirectionsPicture.
-const char* const DrawnElsewhere[] = { "SurfaceBlobDirections" };
+/// By TestDirectionsPicture and TestDistancesPicture.
+const char* const DrawnElsewhere[] = { "CurvedDistances", "SurfaceBlobDirections" };
 
 constexpr std::uintmax_t LargestPicture = 150000; // bytes
 
@@ -138,7 +150,7 @@ TEST_P(DocumentationPicture, IsWhatTheProgramRenders)
   const std::string file = folder.PathOf("picture.png");
   std::vector<std::string> arguments = { picture.Verb,
     std::string(MESO_SCENES) + "/" + picture.Scene, "-o", file, "--size", picture.Size, "--samples",
-    "4" };
+    picture.Samples };
   if (*picture.Technique)
   {
     arguments.insert(arguments.end(), { "--technique", picture.Technique, "--quality", "medium" });

@@ -13,7 +13,11 @@
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
-inline MesoExrImage DrawnImage(const MesoScene& scene, int width, int height)
+#include <functional>
+
+/// change: called with the scene's objects before they are drawn.
+inline MesoExrImage DrawnImage(const MesoScene& scene, int width, int height,
+  const std::function<void(const MesoSceneBuilder&)>& change = {})
 {
   vtkNew<vtkMesoEGLRenderWindow> window;
   window->SetMultiSamples(0);
@@ -22,6 +26,10 @@ inline MesoExrImage DrawnImage(const MesoScene& scene, int width, int height)
   window->AddRenderer(renderer);
   MesoSceneBuilder builder;
   builder.Build(scene, renderer);
+  if (change)
+  {
+    change(builder);
+  }
   vtkNew<vtkMesoAOVPass> pass;
   for (const auto& object : builder.GetObjects())
   {
@@ -38,9 +46,10 @@ inline MesoExrImage DrawnImage(const MesoScene& scene, int width, int height)
   return image;
 }
 
-inline MesoAOVs DrawnAOVs(const MesoScene& scene, int width, int height)
+inline MesoAOVs DrawnAOVs(const MesoScene& scene, int width, int height,
+  const std::function<void(const MesoSceneBuilder&)>& change = {})
 {
-  return MesoAOVsOfImage(DrawnImage(scene, width, height));
+  return MesoAOVsOfImage(DrawnImage(scene, width, height, change));
 }
 
 #endif

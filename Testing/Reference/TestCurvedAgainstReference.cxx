@@ -54,3 +54,33 @@ TEST(CurvedAgainstReference, OnATorus)
   EXPECT_GT(exact.Texcoord.P50, 2. * parabola.Texcoord.P50);
   EXPECT_LT(surface.ShadowCast, 0.08);
 }
+
+TEST(CurvedAgainstReference, CutByPlanes)
+{
+  // Half a torus and the inside of its tube behind the cut: planes cut what is seen, at the hit, whatever
+  // the base is taken for.
+  const auto cut = [](const std::string& technique)
+  {
+    MesoScene scene = Torus(technique);
+    scene.ClippingPlanes = { { { 0., 0., 0.1 }, { 0.2, 0.3, -1. } },
+      { { 0.3, 0., 0. }, { -1., 0., 0. } } };
+    return scene;
+  };
+  const std::string quadric = R"("technique": "relief-quadric")";
+  const MesoAOVs truth = MesoAOVsOfImage(MesoReference(cut(quadric)).Render(Size, Size).AOVs);
+  const MesoAOVs whole = MesoAOVsOfImage(MesoReference(Torus(quadric)).Render(Size, Size).AOVs);
+  EXPECT_LT(MesoCompareGeometry(whole, truth).CoverageIou, 0.7); // much is gone
+  const std::pair<std::string, double> arms[] = { { quadric, 0.94 },
+    { R"("technique": "relief-quadric-exact")", 0.945 },
+    { quadric + R"(, "curved": "osculating")", 0.96 }, { quadric + R"(, "curved": "bent")", 0.985 },
+    { quadric + R"(, "curved": "surface")", 0.985 } };
+  for (const auto& arm : arms)
+  {
+    const MesoGeometryError error =
+      MesoCompareGeometry(truth, DrawnAOVs(cut(arm.first), Size, Size));
+    std::cout << arm.first << ": iou " << error.CoverageIou << ", texcoord p50 "
+              << error.Texcoord.P50 << "\n";
+    EXPECT_EQ(error.NanPixels, 0u) << arm.first;
+    EXPECT_GT(error.CoverageIou, arm.second) << arm.first;
+  }
+}

@@ -92,8 +92,10 @@ std::string Material(const std::string& colorBy)
 
 std::string Relief(const std::string& map, const std::string& technique = "relief")
 {
-  return R"(, "mesostructure": {"technique": ")" + technique +
-    R"(", "scale": 0.05, "height_map": )" + map + "}";
+  // What is drawn is to be what the numbers say.
+  const std::string filter = technique == "tessellated" ? "" : R"(, "filter": "none")";
+  return R"(, "mesostructure": {"technique": ")" + technique + "\"" + filter +
+    R"(, "scale": 0.05, "height_map": )" + map + "}";
 }
 
 /// A map that is 1 everywhere, and so no relief, which the technique has to find out.

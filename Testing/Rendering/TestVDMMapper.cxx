@@ -187,7 +187,7 @@ TEST_F(VDMOnTorus, DrawsEveryChoiceOfEffects)
   const MesoEffect effects[] = { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
     MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature };
   const auto plain = this->Picture(this->Plain);
-  for (const int rank : { 0, 3, 8 })
+  for (const int rank : { 0, 3 })
   {
     this->VDM->SetTable(TableOf(this->Heights, 0.1, rank));
     for (const MesoEffect left : effects)

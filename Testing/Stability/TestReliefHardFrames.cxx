@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 
 #include <functional>
+#include <iterator>
 
 namespace
 {
@@ -79,9 +80,15 @@ TEST_P(ReliefHardFrames, Charts)
       return { std::abs(u - 0.5), v };
     }, // folded
   };
-  for (const auto& chart : charts)
+  const MesoCurvedKind curved = this->GetParam().Curved;
+  const bool hasImage = curved == MesoCurvedKind::Bent || curved == MesoCurvedKind::Surface;
+  for (std::size_t i = 0; i < std::size(charts); ++i)
   {
-    this->Use(Plane(chart, SamePlace));
+    if (hasImage && (i == 3 || i == 4))
+    {
+      continue; // vtkMesoBaseImage refuses a chart that has no area
+    }
+    this->Use(Plane(charts[i], SamePlace));
     EXPECT_GT(this->Check(), 3000);
   }
 }
@@ -190,4 +197,4 @@ TEST_P(ReliefHardFrames, AMillionAwayFromTheOrigin)
   EXPECT_LT(different, 96 * 96 / 50);
 }
 
-MESO_FOR_RELIEF_TECHNIQUES(ReliefHardFrames);
+MESO_FOR_RELIEF_ARMS(ReliefHardFrames);

@@ -131,4 +131,4 @@ TEST_P(ReliefHardMaps, WrongMapsAreRefusedAndTheBaseIsDrawn)
   EXPECT_EQ(this->ReliefRange().second, 0.f);
 }
 
-MESO_FOR_RELIEF_TECHNIQUES(ReliefHardMaps);
+MESO_FOR_RELIEF_ARMS(ReliefHardMaps);

@@ -17,7 +17,7 @@ protected:
 
   void UseShape(const std::string& shape)
   {
-    this->Bends = shape != "plane" && MesoBendsRelief(this->GetParam());
+    this->Bends = shape != "plane" && MesoBendsRelief(this->GetParam().Technique);
     this->Use(MesoTestScene::Shape(shape));
   }
 
@@ -206,4 +206,4 @@ TEST_P(ReliefHardViews, TwelveLightsAndNoMore)
   EXPECT_EQ(this->Pass->GetChannelNames().back(), "shadow.11");
 }
 
-MESO_FOR_RELIEF_TECHNIQUES(ReliefHardViews);
+MESO_FOR_RELIEF_ARMS(ReliefHardViews);

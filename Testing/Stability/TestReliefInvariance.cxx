@@ -12,7 +12,7 @@
 
 namespace
 {
-class ReliefInvariance : public testing::TestWithParam<MesoTechnique>
+class ReliefInvariance : public testing::TestWithParam<MesoReliefArm>
 {
 protected:
   MesoTestScene Scene{ 128, 128 };
@@ -101,4 +101,4 @@ TEST_P(ReliefInvariance, WholeTiles)
   ExpectSame(MesoGrabWindow(this->Scene.Window), still, "shifted by whole tiles");
 }
 
-MESO_FOR_RELIEF_TECHNIQUES(ReliefInvariance);
+MESO_FOR_RELIEF_ARMS(ReliefInvariance);

@@ -20,6 +20,8 @@
  *     heightGradient, patchGradient, searchLinearBinary, searchLinearSecant, occludedLinear, and the
  *     structs HeightPath (made by straightPath and bentPath) and HeightHit; once it has cones (SetCones)
  *     also searchCone, occludedCone, searchCertified, occludedCertified
+ *   MesoKernels::Float::BicubicField, MesoKernels::Double::BicubicField
+ *     a height map whose surface is a cubic B-spline: mapHeight, mapFacet, the searches by equal steps
  *   MesoKernels::Float::Horizon, MesoKernels::Double::Horizon
  *     azimuthBefore, azimuthAfter, discBelow
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
@@ -218,7 +220,12 @@ class HeightField : public MesoHeightTexture<float>
 {
 public:
   using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightBilinearFloat.h"
 #include "MesoHeightFieldFloat.h"
+  float surfaceHeight(vec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
 //
 #include "MesoHeightPathFloat.h"
 //
@@ -237,13 +244,43 @@ public:
 #include "MesoConeSearchFloat.h"
 };
 
+class BicubicField : public MesoHeightTexture<float>
+{
+public:
+  using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightBicubicFloat.h"
+#include "MesoHeightFieldFloat.h"
+  float surfaceHeight(vec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
+  float sampleHeight(vec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
+//
+#include "MesoHeightPathFloat.h"
+//
+#include "MesoHeightHitFloat.h"
+//
+#include "MesoLinearSearchFloat.h"
+//
+#include "MesoLinearBinarySearchFloat.h"
+#include "MesoLinearSecantSearchFloat.h"
+};
+
 class AcrossField
   : public MesoHeightTexture<float>
   , public QuadricExact
 {
 public:
   using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightBilinearFloat.h"
 #include "MesoHeightFieldFloat.h"
+  float surfaceHeight(vec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
 //
 #include "MesoAcrossPathFloat.h"
 //
@@ -262,7 +299,12 @@ class CircleField
 {
 public:
   using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightBilinearFloat.h"
 #include "MesoHeightFieldFloat.h"
+  float surfaceHeight(vec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
 //
 #include "MesoCirclePathFloat.h"
 //
@@ -279,7 +321,12 @@ class CubicField : public MesoHeightTexture<float>
 {
 public:
   using MesoHeightTexture<float>::MesoHeightTexture;
+#include "MesoHeightBilinearFloat.h"
 #include "MesoHeightFieldFloat.h"
+  float surfaceHeight(vec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
 //
 #include "MesoCubicPathFloat.h"
 //
@@ -377,7 +424,12 @@ class HeightField : public MesoHeightTexture<double>
 {
 public:
   using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightBilinearDouble.h"
 #include "MesoHeightFieldDouble.h"
+  double surfaceHeight(dvec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
 //
 #include "MesoHeightPathDouble.h"
 //
@@ -396,13 +448,43 @@ public:
 #include "MesoConeSearchDouble.h"
 };
 
+class BicubicField : public MesoHeightTexture<double>
+{
+public:
+  using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightBicubicDouble.h"
+#include "MesoHeightFieldDouble.h"
+  double surfaceHeight(dvec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
+  double sampleHeight(dvec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
+//
+#include "MesoHeightPathDouble.h"
+//
+#include "MesoHeightHitDouble.h"
+//
+#include "MesoLinearSearchDouble.h"
+//
+#include "MesoLinearBinarySearchDouble.h"
+#include "MesoLinearSecantSearchDouble.h"
+};
+
 class AcrossField
   : public MesoHeightTexture<double>
   , public QuadricExact
 {
 public:
   using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightBilinearDouble.h"
 #include "MesoHeightFieldDouble.h"
+  double surfaceHeight(dvec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
 //
 #include "MesoAcrossPathDouble.h"
 //
@@ -421,7 +503,12 @@ class CircleField
 {
 public:
   using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightBilinearDouble.h"
 #include "MesoHeightFieldDouble.h"
+  double surfaceHeight(dvec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
 //
 #include "MesoCirclePathDouble.h"
 //
@@ -438,7 +525,12 @@ class CubicField : public MesoHeightTexture<double>
 {
 public:
   using MesoHeightTexture<double>::MesoHeightTexture;
+#include "MesoHeightBilinearDouble.h"
 #include "MesoHeightFieldDouble.h"
+  double surfaceHeight(dvec2 uv) const
+  {
+    return this->mapHeight(uv);
+  }
 //
 #include "MesoCubicPathDouble.h"
 //

@@ -17,6 +17,7 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::VDM, "vdm" },
   { MesoTechnique::GDM, "gdm" }, { MesoTechnique::Slices, "slices" },
   { MesoTechnique::ShellSDF, "shell-sdf" }, { MesoTechnique::Displacement, "displacement" },
+  { MesoTechnique::GeometryImage, "geometry-image" },
   { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
@@ -39,6 +40,10 @@ constexpr Entry<MesoCurvedKind> CurvedKinds[] = { { MesoCurvedKind::Quadric, "qu
   { MesoCurvedKind::Surface, "surface" } };
 constexpr Entry<MesoParallaxKind> ParallaxKinds[] = { { MesoParallaxKind::Occlusion, "occlusion" },
   { MesoParallaxKind::Offset, "offset" } };
+constexpr Entry<MesoInterpolation> Interpolations[] = { { MesoInterpolation::Bilinear, "bilinear" },
+  { MesoInterpolation::Bicubic, "bicubic" } };
+constexpr Entry<MesoFilter> Filters[] = { { MesoFilter::Auto, "auto" },
+  { MesoFilter::None, "none" } };
 
 template <typename T, std::size_t N>
 const char* NameOf(const Entry<T> (&table)[N], T value)
@@ -118,6 +123,16 @@ const char* MesoName(MesoParallaxKind value)
   return NameOf(ParallaxKinds, value);
 }
 
+const char* MesoName(MesoInterpolation value)
+{
+  return NameOf(Interpolations, value);
+}
+
+const char* MesoName(MesoFilter value)
+{
+  return NameOf(Filters, value);
+}
+
 std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name)
 {
   return FromName(Techniques, name);
@@ -158,6 +173,16 @@ std::optional<MesoParallaxKind> MesoParallaxKindFromName(const std::string& name
   return FromName(ParallaxKinds, name);
 }
 
+std::optional<MesoInterpolation> MesoInterpolationFromName(const std::string& name)
+{
+  return FromName(Interpolations, name);
+}
+
+std::optional<MesoFilter> MesoFilterFromName(const std::string& name)
+{
+  return FromName(Filters, name);
+}
+
 std::vector<std::string> MesoTechniqueNames()
 {
   return AllNames(Techniques);
@@ -196,6 +221,16 @@ std::vector<std::string> MesoCurvedKindNames()
 std::vector<std::string> MesoParallaxKindNames()
 {
   return AllNames(ParallaxKinds);
+}
+
+std::vector<std::string> MesoInterpolationNames()
+{
+  return AllNames(Interpolations);
+}
+
+std::vector<std::string> MesoFilterNames()
+{
+  return AllNames(Filters);
 }
 
 MesoEffects::MesoEffects(std::initializer_list<MesoEffect> effects)
@@ -369,6 +404,8 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::Displacement:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
+    case MesoTechnique::GeometryImage:
+      return { MesoEffect::Shading, MesoEffect::CastShadow };
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
         MesoEffect::Silhouette, MesoEffect::CastShadow };
@@ -399,8 +436,7 @@ MesoSearch MesoSearchOf(const MesoMesostructureOptions& options)
 std::string MesoSearchProblem(const MesoMesostructureOptions& options)
 {
   const bool certified = options.Quality == MesoQuality::Certified;
-  if (options.Quality == MesoQuality::Full && options.Technique != MesoTechnique::VDM &&
-    options.Technique != MesoTechnique::GDM)
+  if (options.Quality == MesoQuality::Full && options.Technique != MesoTechnique::VDM)
   {
     return std::string("technique ") + MesoName(options.Technique) +
       " has no quality full: it has no table";
@@ -433,6 +469,11 @@ std::string MesoSearchProblem(const MesoMesostructureOptions& options)
     return std::string("the curved base ") + MesoName(options.Curved) +
       " has no bounds for the searches cone and certified: its ray's depth is no parabola; "
       "linear-binary and linear-secant find their way";
+  }
+  if (bounds && options.Interpolation == MesoInterpolation::Bicubic)
+  {
+    return "interpolation bicubic has no bounds for the searches cone and certified, which are of "
+           "bilinear patches; linear-binary and linear-secant find their way";
   }
   return "";
 }

@@ -73,6 +73,20 @@ enum class MesoParallaxKind
   Offset     ///< a few steps along the view ray, each as far as the plane of the slope there
 };
 
+/// How a height map's surface runs between its texels.
+enum class MesoInterpolation
+{
+  Bilinear, ///< through the texels, with an edge along each line of them
+  Bicubic   ///< near the texels: their uniform cubic B-spline, smooth to its second derivatives
+};
+
+/// What is drawn of a relief whose texels are smaller than pixels.
+enum class MesoFilter
+{
+  Auto, ///< heights averaged over what a pixel covers; numbers (AOVs) are of the map itself
+  None  ///< the map itself: some texel of those that a pixel covers
+};
+
 /// What lies outside the map's [0,1] x [0,1].
 enum class MesoWrap
 {
@@ -140,6 +154,8 @@ MESOCOMMONCORE_EXPORT const char* MesoName(MesoEffect value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoQuadricKind value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoCurvedKind value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoParallaxKind value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoInterpolation value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoFilter value);
 MESOCOMMONCORE_EXPORT std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoQuality> MesoQualityFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoSearch> MesoSearchFromName(const std::string& name);
@@ -150,6 +166,9 @@ MESOCOMMONCORE_EXPORT std::optional<MesoQuadricKind> MesoQuadricKindFromName(
 MESOCOMMONCORE_EXPORT std::optional<MesoCurvedKind> MesoCurvedKindFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoParallaxKind> MesoParallaxKindFromName(
   const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoInterpolation> MesoInterpolationFromName(
+  const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoFilter> MesoFilterFromName(const std::string& name);
 ///@}
 
 ///@{
@@ -162,6 +181,8 @@ MESOCOMMONCORE_EXPORT std::vector<std::string> MesoEffectNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoQuadricKindNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoCurvedKindNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoParallaxKindNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoInterpolationNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoFilterNames();
 ///@}
 
 /// Steps of linear and binary search of a quality.
@@ -231,6 +252,8 @@ struct MesoMesostructureOptions
   MesoQuadricKind Quadric = MesoQuadricKind::Full; ///< for the techniques that bend their relief
   MesoCurvedKind Curved = MesoCurvedKind::Quadric; ///< of ReliefQuadric
   std::optional<MesoSearch> Search;                ///< default: what the quality stands for
+  MesoInterpolation Interpolation = MesoInterpolation::Bilinear; ///< of techniques with searches
+  MesoFilter Filter = MesoFilter::Auto;                          ///< of techniques with searches
   MesoParallaxKind Parallax = MesoParallaxKind::Occlusion;
   /// Of `horizon`: degrees of the light's elevation over which the shadow's edge fades, >= 0.
   double Penumbra = 2.0;
@@ -252,9 +275,9 @@ MESOCOMMONCORE_EXPORT MesoEffects MesoEffectsOn(const MesoMesostructureOptions& 
 /// LinearBinary.
 MESOCOMMONCORE_EXPORT MesoSearch MesoSearchOf(const MesoMesostructureOptions& options);
 
-/// Why technique, quality and search do not go together; empty where they do. The quality Certified
-/// is a search, so it takes no other beside it; the search Certified goes with each quality, whose
-/// steps it has no use for.
+/// Why technique, quality, search and interpolation do not go together; empty where they do. The quality
+/// Certified is a search, so it takes no other beside it; the search Certified goes with each quality,
+/// whose steps it has no use for.
 MESOCOMMONCORE_EXPORT std::string MesoSearchProblem(const MesoMesostructureOptions& options);
 
 #endif

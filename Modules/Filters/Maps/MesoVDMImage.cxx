@@ -105,6 +105,36 @@ double RootMeanSquare(const MesoVDMNumbers& numbers, int columns, int first, int
 }
 }
 
+double MesoVDMAngularError(const MesoVDMLayout& layout, const MesoVDMNumbers& numbers)
+{
+  const std::size_t columns = layout.Columns();
+  const std::size_t area = std::size_t(layout.Width) * layout.Height;
+  const std::size_t turn = area * layout.Azimuths;
+  const auto squareOf = [](double before, double here, double after)
+  {
+    const double eighth = 0.125 * (before - 2. * here + after);
+    return eighth * eighth;
+  };
+  double ofAzimuths = 0.;
+  double ofPolars = 0.;
+  for (std::size_t row = 0; row < layout.Rows(); ++row)
+  {
+    const float* here = &numbers[row * columns];
+    const float* before = &numbers[(row + turn - area) % turn * columns];
+    const float* after = &numbers[(row + area) % turn * columns];
+    for (int i = 0; i < layout.DistanceColumns(); ++i)
+    {
+      ofAzimuths += squareOf(before[i], here[i], after[i]);
+      const int polar = i % layout.Polars;
+      ofPolars +=
+        polar > 0 && polar + 1 < layout.Polars ? squareOf(here[i - 1], here[i], here[i + 1]) : 0.;
+    }
+  }
+  const double count = double(layout.Rows()) * layout.Curvatures;
+  return std::sqrt(ofAzimuths / (count * layout.Polars) +
+    (layout.Polars > 2 ? ofPolars / (count * (layout.Polars - 2)) : 0.));
+}
+
 void MesoStoreVDM(const MesoVDMLayout& layout, const MesoVDMNumbers& numbers, vtkImageData* image)
 {
   const int columns = layout.Columns();

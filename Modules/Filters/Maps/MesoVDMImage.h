@@ -10,6 +10,10 @@
 constexpr int MesoVDMLeastBits = 8;
 constexpr int MesoVDMMostBits = 16;
 
+/// What linear interpolation between polar angles and between azimuths leaves, root mean square of the
+/// distances' numbers: an eighth of second differences.
+double MesoVDMAngularError(const MesoVDMLayout& layout, const MesoVDMNumbers& numbers);
+
 /// The numbers as they are, of 16 bit each, as an image's arrays VDM and MVM (vtkMesoVDM).
 void MesoStoreVDM(const MesoVDMLayout& layout, const MesoVDMNumbers& numbers, vtkImageData* image);
 

@@ -2,6 +2,7 @@
 
 #include "MesoVDMImage.h"
 #include "MesoVDMRays.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -167,6 +168,10 @@ void vtkMesoVDM::Compute(const Map& map, vtkImageData* output)
     heights->InsertNextValue(static_cast<float>(1. - depth / this->Layout.Depth));
   }
   output->GetFieldData()->AddArray(heights);
+  vtkNew<vtkDoubleArray> error;
+  error->SetName("AngularError");
+  error->InsertNextValue(MesoVDMAngularError(this->Layout, numbers));
+  output->GetFieldData()->AddArray(error);
   if (this->Ranks[0] <= 0)
   {
     MesoStoreVDM(this->Layout, numbers, output);

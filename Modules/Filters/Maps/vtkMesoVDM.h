@@ -8,7 +8,8 @@
  * from the table's it is resampled, bilinearly or by means over the table's texels.
  *
  * Output: an image of texels x azimuths with field data that MesoVDMLayout::Read understands, the map as it
- * was resampled in the field data `Heights` (float, in [0,1]), and
+ * was resampled in the field data `Heights` (float, in [0,1]), what linear interpolation between its angles
+ * leaves as `AngularError` (root mean square of stored numbers in [0,1]), and
  *
  * - with Ranks 0, the table itself: `VDM` (16 bit, polar angles x curvatures, the scalars), `MVM` (16 bit,
  *   curvatures: the largest polar angle at which a ray meets anything, of 90 degrees); 65535 stands for 1;

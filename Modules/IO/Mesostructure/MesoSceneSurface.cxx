@@ -13,7 +13,6 @@
 
 namespace
 {
-const std::vector<std::string> LaterTechniques = { "geometry-image" };
 
 constexpr double MostFactors = 12.;
 constexpr double MostFactorsOfVolumes = 64.;
@@ -202,6 +201,26 @@ MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique techniqu
   return choice;
 }
 
+/// How the map is read between its texels, and where they are smaller than pixels.
+void ReadSampling(const MesoSceneValue& value, MesoMesostructureOptions& options)
+{
+  if (!MesoHasSearches(options.Technique))
+  {
+    value.Refuse({ "interpolation", "filter" },
+      std::string("technique ") + MesoName(options.Technique) + " has no choice of it");
+  }
+  value.With("interpolation",
+    [&](const MesoSceneValue& kind)
+    {
+      options.Interpolation = kind.ToChoice<MesoInterpolation>(
+        "interpolation", &MesoInterpolationFromName, MesoInterpolationNames());
+    });
+  value.With("filter",
+    [&](const MesoSceneValue& kind) {
+      options.Filter = kind.ToChoice<MesoFilter>("filter", &MesoFilterFromName, MesoFilterNames());
+    });
+}
+
 /// What is said of a volume's shell; the volume itself has been read.
 void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
 {
@@ -290,7 +309,7 @@ void ReadTable(const MesoSceneValue& value, MesoSceneNode& node)
   value.With("baked",
     [&](const MesoSceneValue& file)
     {
-      if (!tabled)
+      if (!tabled && options.Technique != MesoTechnique::GeometryImage)
       {
         file.Fail(technique + " has no use for a baked table");
       }
@@ -396,8 +415,8 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("technique",
     [&](const MesoSceneValue& name)
     {
-      options.Technique = name.ToChoice<MesoTechnique>(
-        "technique", &MesoTechniqueFromName, MesoTechniqueNames(), LaterTechniques);
+      options.Technique =
+        name.ToChoice<MesoTechnique>("technique", &MesoTechniqueFromName, MesoTechniqueNames());
     });
   const std::string name = MesoName(options.Technique);
   node.Material.NormalMapOfObject = options.Technique == MesoTechnique::NormalObject;
@@ -445,6 +464,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       options.Curved = kind.ToChoice<MesoCurvedKind>(
         "curved base", &MesoCurvedKindFromName, MesoCurvedKindNames());
     });
+  ReadSampling(value, options);
   const std::string searchProblem = MesoSearchProblem(options);
   if (!searchProblem.empty())
   {
@@ -474,12 +494,18 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   value.With("facet_pixels",
     [&](const MesoSceneValue& pixels)
     {
-      if (options.Technique != MesoTechnique::Displacement)
+      if (options.Technique != MesoTechnique::Displacement &&
+        options.Technique != MesoTechnique::GeometryImage)
       {
         pixels.Fail("technique " + name + " does not cut by pixels");
       }
       options.FacetPixels = pixels.ToNumber(MesoSceneRanges::NotNegative);
     });
+  if (options.Technique == MesoTechnique::GeometryImage)
+  {
+    value.Refuse({ "height_map", "depth_map", "relief_map" },
+      "technique geometry-image draws the mesh itself, without relief");
+  }
   value.With("effects",
     [&](const MesoSceneValue& effects)
     { options.Effects = ReadEffects(effects, options.Technique); });

@@ -35,8 +35,8 @@ MesoShaderShape MesoBumpShader::GetShape() const
   if (this->GetHeightMap())
   {
     shape.UseFrame();
-    shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-      "Common/ReliefFrame.glsl" };
+    shape.Chunks = { "Common/HeightAccess.glsl", "Common/HeightLevels.glsl", "Kernels/Frame.glsl",
+      "Kernels/HeightField.glsl", "Common/ReliefFrame.glsl" };
     shape.Defines = { { "MESO_HEIGHTS", "" },
       { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) } };
   }

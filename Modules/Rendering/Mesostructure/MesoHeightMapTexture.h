@@ -28,6 +28,7 @@ protected:
 
 private:
   bool Mipmaps = false;
+  float Slope[2] = { 0.f, 0.f }; ///< root mean square along u and v, height per map coordinate
 };
 
 #endif

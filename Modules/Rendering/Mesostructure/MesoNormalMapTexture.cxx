@@ -41,6 +41,7 @@ void MesoNormalMapTexture::AddTo(MesoShaderShape& shape) const
   {
     shape.Defines.erase(shading);
   }
+  shape.NormalMapped = true;
   shape.Defines.emplace_back("MESO_NORMAL_MAP", "");
   const char* const spaces[] = { "MESO_NORMAL_TANGENT", "MESO_NORMAL_OBJECT",
     "MESO_NORMAL_RELIEF" };

@@ -58,6 +58,12 @@ vtkImageData* MesoReliefShader::GetBaseImage() const
   return this->Base.GetImage();
 }
 
+void MesoReliefShader::SetOptions(const MesoMesostructureOptions& options)
+{
+  this->Options = options;
+  this->Heights.SetMipmaps(options.Filter == MesoFilter::Auto);
+}
+
 bool MesoReliefShader::UsesCones() const
 {
   const MesoEffects effects = MesoEffectsOn(this->Options);
@@ -86,17 +92,22 @@ MesoShaderShape MesoReliefShader::GetShape() const
   shape.Attributes = { { "mesoTangent", "MesoTangent" }, { "mesoBitangent", "MesoBitangent" },
     { "mesoTileScale", "MesoTileScale" } };
   const Way way = WayOf(this->Options);
-  shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl" };
+  const bool filtered = this->Options.Filter == MesoFilter::Auto;
+  const bool bicubic = this->Options.Interpolation == MesoInterpolation::Bicubic;
+  shape.Chunks = { "Common/HeightAccess.glsl", "Common/HeightLevels.glsl", "Kernels/Frame.glsl",
+    "Kernels/HeightField.glsl",
+    bicubic ? "Kernels/HeightBicubic.glsl" : "Kernels/HeightBilinear.glsl",
+    "Common/HeightSurface.glsl" };
   shape.Chunks.insert(shape.Chunks.end(), way.Kernels.begin(), way.Kernels.end());
   shape.Chunks.insert(shape.Chunks.end(), { "Kernels/HeightHit.glsl", "Kernels/PathCut.glsl" });
   const MesoSearch search = MesoSearchOf(this->Options);
   const MesoSearchSteps steps = this->Steps.value_or(MesoStepsOfQuality(this->Options.Quality));
   const int refining = search == MesoSearch::LinearSecant ? (steps.Binary + 1) / 2 : steps.Binary;
-  const std::vector<std::string> chunksOfSearch[] = { { "Kernels/LinearSearch.glsl",
-                                                        "Kernels/LinearBinarySearch.glsl" },
-    { "Kernels/LinearSearch.glsl", "Kernels/LinearSecantSearch.glsl" },
-    { "Common/ConeAccess.glsl", "Kernels/LinearSearch.glsl", "Kernels/HeightCone.glsl",
-      "Kernels/ConeSearch.glsl" },
+  // Equal steps are for levels of the map's pyramid in any case.
+  shape.Chunks.insert(
+    shape.Chunks.end(), { "Kernels/LinearSearch.glsl", "Kernels/LinearBinarySearch.glsl" });
+  const std::vector<std::string> chunksOfSearch[] = { {}, { "Kernels/LinearSecantSearch.glsl" },
+    { "Common/ConeAccess.glsl", "Kernels/HeightCone.glsl", "Kernels/ConeSearch.glsl" },
     { "Common/ConeAccess.glsl", "Kernels/HeightCone.glsl", "Kernels/CertifiedSearch.glsl" } };
   const auto& searchChunks = chunksOfSearch[static_cast<int>(search)];
   shape.Chunks.insert(shape.Chunks.end(), searchChunks.begin(), searchChunks.end());
@@ -105,7 +116,16 @@ MesoShaderShape MesoReliefShader::GetShape() const
   shape.Defines = { { "MESO_SEARCH", std::to_string(static_cast<int>(search)) },
     { "MESO_LINEAR_STEPS", std::to_string(steps.Linear) },
     { "MESO_REFINING_STEPS", std::to_string(refining) },
-    { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) } };
+    { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) },
+    { "MESO_SURFACE_HEIGHTS", "" } };
+  if (filtered)
+  {
+    shape.Defines.emplace_back("MESO_FILTER", "");
+  }
+  if (bicubic)
+  {
+    shape.Defines.emplace_back("MESO_BICUBIC", "");
+  }
   shape.Chunks.insert(shape.Chunks.end(), way.Technique.begin(), way.Technique.end());
   if (MesoBendsRelief(this->Options.Technique))
   {

@@ -23,7 +23,7 @@ public:
   /// The mesh's image (vtkMesoBaseImage), for the bases that need one (MesoNeedsBaseImage).
   void SetBaseImage(vtkImageData* image);
   vtkImageData* GetBaseImage() const;
-  void SetOptions(const MesoMesostructureOptions& options) { this->Options = options; }
+  void SetOptions(const MesoMesostructureOptions& options);
   /// Steps in place of those that the quality stands for.
   void SetSteps(std::optional<MesoSearchSteps> steps) { this->Steps = steps; }
 

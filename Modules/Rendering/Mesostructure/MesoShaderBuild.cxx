@@ -124,14 +124,13 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
     }
     if (this->UsesDifferential())
     {
+      // Derivatives are taken before a miss discards the fragment: undefined after that.
       Before(fragment, declarations, "Common/DifferentialDec.glsl");
       Before(fragment, "//VTK::UniformFlow::Impl", "Common/DifferentialImpl.glsl");
     }
     if (this->Textured)
     {
-      // Derivatives are taken before a miss discards the fragment: undefined after that.
       Before(fragment, declarations, "Common/TextureDec.glsl");
-      Before(fragment, "//VTK::UniformFlow::Impl", "Common/TextureImpl.glsl");
     }
     if (this->Scalars)
     {

@@ -24,6 +24,7 @@ struct MesoShaderBuild
   bool Lit = false;           ///< VTK's normal and position are in the shader
   bool OwnLighting = false;   ///< Shaders/Common/Lighting.glsl in place of VTK's
   bool Textured = false;      ///< colour textures are read where the ray hit
+  bool NormalMapped = false;  ///< a normal map is read where the ray hit
   bool HeightColored = false; ///< the colour is that of the height where the ray hit
   bool Contoured = false;     ///< contour lines of the height are drawn where the ray hit
   bool Clipped = false;       ///< clipping planes cut what the rays hit
@@ -44,7 +45,7 @@ struct MesoShaderBuild
   void Define(const MesoShaderShape& shape);
 
   /// Whether what is drawn where the ray hit needs to know the hit's step to the next pixel.
-  bool UsesDifferential() const { return this->Contoured; }
+  bool UsesDifferential() const { return this->Contoured || this->Textured || this->NormalMapped; }
 
   void SpliceVertexShader(MesoShaderAssembler& vertex) const;
   void SpliceGeometryShader(MesoShaderAssembler& geometry) const;

@@ -20,12 +20,13 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
   std::vector<std::string> VertexChunks; ///< the same for the vertex stage
   /// Vertex attributes beside normals and texture coordinates, and the point arrays that hold them.
   std::vector<std::pair<std::string, std::string>> Attributes;
-  bool Traces = false;      ///< the technique looks for a surface other than the base mesh
-  bool UsesFrame = false;   ///< it needs the tangent frame of the vertices
-  bool WritesDepth = false; ///< the depth buffer is that of the detail
-  bool Displaced = false;   ///< the mesh itself is the detail, with its depth in MesoRelief
-  bool Prisms = false;      ///< the mesh is a shell of prisms, their numbers in MesoPrism
-  bool Diced = false;       ///< vertices are placed by the vertex stage, not read from the mesh
+  bool Traces = false;       ///< the technique looks for a surface other than the base mesh
+  bool UsesFrame = false;    ///< it needs the tangent frame of the vertices
+  bool WritesDepth = false;  ///< the depth buffer is that of the detail
+  bool NormalMapped = false; ///< a normal map is read where the ray hit
+  bool Displaced = false;    ///< the mesh itself is the detail, with its depth in MesoRelief
+  bool Prisms = false;       ///< the mesh is a shell of prisms, their numbers in MesoPrism
+  bool Diced = false;        ///< vertices are placed by the vertex stage, not read from the mesh
 
   /// Asks for the tangent frame of the vertices, and the arrays that hold it.
   void UseFrame();
@@ -35,8 +36,9 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
     return this->Chunks == other.Chunks && this->VertexChunks == other.VertexChunks &&
       this->Attributes == other.Attributes && this->Defines == other.Defines &&
       this->Traces == other.Traces && this->UsesFrame == other.UsesFrame &&
-      this->WritesDepth == other.WritesDepth && this->Displaced == other.Displaced &&
-      this->Prisms == other.Prisms && this->Diced == other.Diced;
+      this->WritesDepth == other.WritesDepth && this->NormalMapped == other.NormalMapped &&
+      this->Displaced == other.Displaced && this->Prisms == other.Prisms &&
+      this->Diced == other.Diced;
   }
 };
 

@@ -8,6 +8,7 @@
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace
@@ -60,12 +61,12 @@ std::string TableProblem(vtkImageData* table, const MesoVDMLayout& layout)
       problems.emplace_back("its weights are not of 8 or 16 bits");
     }
   }
-  for (const std::string& problem : problems)
+  problems.push_back(ArrayProblem(data->GetArray("AngularError"), "AngularError", 1, 1));
+  const auto found = std::find_if(
+    problems.begin(), problems.end(), [](const std::string& text) { return !text.empty(); });
+  if (found != problems.end())
   {
-    if (!problem.empty())
-    {
-      return problem;
-    }
+    return *found;
   }
   return {};
 }
@@ -153,7 +154,8 @@ std::array<int, 2> MesoVDMShader::RanksOf(const MesoMesostructureOptions& option
 void MesoVDMShader::SetParts()
 {
   this->Ranks = { 0, 0 };
-  this->Error = 1. / VTK_UNSIGNED_SHORT_MAX;
+  this->Error =
+    this->Table ? this->Table->GetFieldData()->GetArray("AngularError")->GetTuple1(0) : 0.;
   if (this->Table && !this->Table->GetPointData()->GetArray("VDM"))
   {
     vtkFieldData* data = this->Table->GetFieldData();
@@ -165,7 +167,7 @@ void MesoVDMShader::SetParts()
         std::min(data->GetArray(names[i])->GetNumberOfComponents(), Four * MostGroups);
       this->Ranks[i] = wanted[i] > 0 ? std::min(wanted[i], most) : most;
     }
-    this->Error = data->GetArray("Errors")->GetTuple1(this->Ranks[0] - 1);
+    this->Error = std::hypot(this->Error, data->GetArray("Errors")->GetTuple1(this->Ranks[0] - 1));
   }
   for (const auto& part : this->Parts)
   {
@@ -185,11 +187,12 @@ MesoShaderShape MesoVDMShader::GetShape() const
   shape.UseFrame();
   shape.WritesDepth = effects.Has(MesoEffect::Depth);
   shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-    "Kernels/Quadric.glsl", "Kernels/VDMTable.glsl", "Common/VDMAccess.glsl",
-    "Common/ReliefFrame.glsl", "Common/ReliefSurface.glsl", "Techniques/VDM.glsl" };
+    "Kernels/HeightBilinear.glsl", "Common/HeightSurface.glsl", "Kernels/Quadric.glsl",
+    "Kernels/VDMTable.glsl", "Common/VDMAccess.glsl", "Common/ReliefFrame.glsl",
+    "Common/ReliefSurface.glsl", "Techniques/VDM.glsl" };
   const MesoVDMLayout& layout = this->Layout;
   shape.Defines = { { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) },
-    { "MESO_VDM_AZIMUTHS", std::to_string(layout.Azimuths) },
+    { "MESO_SURFACE_HEIGHTS", "" }, { "MESO_VDM_AZIMUTHS", std::to_string(layout.Azimuths) },
     { "MESO_VDM_POLARS", std::to_string(layout.Polars) },
     { "MESO_VDM_CURVATURES", std::to_string(layout.Curvatures) },
     { "MESO_VDM_STORES", std::to_string(static_cast<int>(layout.Stores)) },
@@ -199,6 +202,14 @@ MesoShaderShape MesoVDMShader::GetShape() const
     const auto groups = [](int rank) { return std::to_string((rank + Four - 1) / Four); };
     shape.Defines.emplace_back("MESO_VDM_GROUPS", groups(this->Ranks[0]));
     shape.Defines.emplace_back("MESO_MVM_GROUPS", groups(this->Ranks[1]));
+  }
+  if (this->FlatShadows)
+  {
+    shape.Defines.emplace_back("MESO_VDM_FLAT_SHADOW", "");
+  }
+  if (this->NearestOutlines)
+  {
+    shape.Defines.emplace_back("MESO_VDM_NEAREST", "");
   }
   if (effects.Has(MesoEffect::Curvature))
   {

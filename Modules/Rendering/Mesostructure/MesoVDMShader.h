@@ -26,6 +26,9 @@ public:
   std::string SetTable(vtkImageData* table);
   vtkImageData* GetTable() const { return this->Table; }
   void SetOptions(const MesoMesostructureOptions& options);
+  /// See vtkMesoVDMMapper.
+  void SetFlatShadows(bool flat) { this->FlatShadows = flat; }
+  void SetNearestOutlines(bool nearest) { this->NearestOutlines = nearest; }
 
   /// The factors that options ask for, for distances and angles; 0, 0: the table itself.
   static std::array<int, 2> RanksOf(const MesoMesostructureOptions& options);
@@ -41,6 +44,8 @@ private:
   void SetParts();
 
   MesoMesostructureOptions Options;
+  bool FlatShadows = false;
+  bool NearestOutlines = false;
   MesoHeightMapTexture Heights;
   vtkSmartPointer<vtkImageData> Table;
   MesoVDMLayout Layout;

@@ -40,6 +40,17 @@
 
 #include <algorithm>
 
+namespace
+{
+/// Whether each sample of a multisampled window has a ray of its own: where rays that miss are what makes
+/// the outline, which the rasteriser's coverage knows nothing of.
+bool TracesEachSample(vtkRenderer* renderer, const MesoEffects& drawn)
+{
+  return drawn.Has(MesoEffect::Silhouette) && GLEW_ARB_sample_shading &&
+    renderer->GetRenderWindow()->GetMultiSamples() > 1;
+}
+}
+
 vtkStandardNewMacro(vtkMesoPolyDataMapper);
 
 vtkMesoPolyDataMapper::vtkMesoPolyDataMapper()
@@ -286,7 +297,7 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   }
   // The same in all passes of a frame with shadows, so that none undoes another's. A technique that
   // places the vertices reads no attributes.
-  if (shape.Diced)
+  if (this->PlacesVertices(actor))
   {
     this->Attributes->Clear(this);
   }
@@ -303,6 +314,11 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   if (caster)
   {
     this->SetCulling(renderer);
+  }
+  if (TracesEachSample(renderer, this->EffectsDrawn))
+  {
+    glEnable(GL_SAMPLE_SHADING_ARB);
+    glMinSampleShadingARB(1.f);
   }
 }
 
@@ -333,6 +349,10 @@ void vtkMesoPolyDataMapper::SetCulling(vtkRenderer* renderer)
 void vtkMesoPolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::RenderPieceFinish(renderer, actor);
+  if (TracesEachSample(renderer, this->EffectsDrawn))
+  {
+    glDisable(GL_SAMPLE_SHADING_ARB);
+  }
   if (MesoInPass<vtkMesoShadowCasterPass>(actor))
   {
     static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
@@ -374,8 +394,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
     (shape.Traces || aov || this->HeightColorsReady || this->DrawsContours(shape) ||
       takesShadows) &&
     points->GetNormals() && (points->GetTCoords() || !shape.Traces);
-  build.Diced = triangles && !this->PointPicking && shape.Diced &&
-    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  build.Diced = triangles && this->PlacesVertices(actor);
   build.Surface = build.Surface && build.Diced == shape.Diced;
   build.HeightColored = build.Surface && this->HeightColorsReady && !build.Caster;
   build.Contoured = build.Surface && this->DrawsContours(shape) && !build.Caster;
@@ -385,6 +404,8 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.WritesDepth = build.Traces && (shape.WritesDepth || build.Caster);
   build.Textured = !build.Caster && build.Traces && this->HaveTCoords(this->CurrentInput) &&
     MesoHasColorTextures(this->GetTextures(actor));
+
+  build.NormalMapped = build.Traces && shape.NormalMapped;
 
   const bool scalarsAtVertices = this->VBOs->GetNumberOfComponents("scalarColor") != 0;
   build.ScalarTexture = !scalarsAtVertices && this->InterpolateScalarsBeforeMapping &&
@@ -398,6 +419,30 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.TextureMoved = keys && keys->Has(vtkProp::GeneralTextureTransform());
   build.Define(shape);
   return build;
+}
+
+bool vtkMesoPolyDataMapper::PlacesVertices(vtkActor* actor)
+{
+  return this->WhyPlain.empty() && this->GetTechnique()->GetShape().Diced && !this->PointPicking &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+}
+
+bool vtkMesoPolyDataMapper::ReadyToPlaceVertices(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->DrawingVertices = false;
+  this->DrawingSelection = false;
+  // What is drawn stands for polygons and strips alike; the first of the two that there is lends its
+  // shader.
+  for (const int kind : { PrimitiveTris, PrimitiveTriStrips })
+  {
+    vtkOpenGLHelper& helper = this->Primitives[kind];
+    if (helper.IBO->IndexCount > 0)
+    {
+      this->UpdateShaders(helper, renderer, actor);
+      return helper.Program != nullptr;
+    }
+  }
+  return false;
 }
 
 bool vtkMesoPolyDataMapper::GetNeedToRebuildShaders(

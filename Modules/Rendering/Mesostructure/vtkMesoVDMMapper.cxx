@@ -23,6 +23,8 @@ void vtkMesoVDMMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "HeightMap: " << this->VDM->GetHeightMap() << "\n";
   os << indent << "Table: " << this->VDM->GetTable() << "\n";
+  os << indent << "FlatShadows: " << this->FlatShadows << "\n";
+  os << indent << "NearestOutlines: " << this->NearestOutlines << "\n";
 }
 
 void vtkMesoVDMMapper::SetHeightMap(vtkImageData* heights)
@@ -57,12 +59,34 @@ vtkImageData* vtkMesoVDMMapper::GetTable()
   return this->VDM->GetTable();
 }
 
+void vtkMesoVDMMapper::SetFlatShadows(bool flat)
+{
+  if (flat != this->FlatShadows)
+  {
+    this->FlatShadows = flat;
+    this->VDM->SetFlatShadows(flat);
+    this->Modified();
+  }
+}
+
+void vtkMesoVDMMapper::SetNearestOutlines(bool nearest)
+{
+  if (nearest != this->NearestOutlines)
+  {
+    this->NearestOutlines = nearest;
+    this->VDM->SetNearestOutlines(nearest);
+    this->Modified();
+  }
+}
+
 void vtkMesoVDMMapper::ShallowCopy(vtkAbstractMapper* mapper)
 {
   if (auto* other = vtkMesoVDMMapper::SafeDownCast(mapper))
   {
     this->SetHeightMap(other->GetHeightMap());
     this->SetTable(other->GetTable());
+    this->SetFlatShadows(other->FlatShadows);
+    this->SetNearestOutlines(other->NearestOutlines);
   }
   this->Superclass::ShallowCopy(mapper);
 }

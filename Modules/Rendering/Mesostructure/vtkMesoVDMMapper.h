@@ -56,6 +56,15 @@ public:
   vtkImageData* GetTable();
   ///@}
 
+  ///@{
+  /// Two shortcuts of the paper, to be measured. FlatShadows: light leaves the relief as if the base were
+  /// flat. NearestOutlines: the outline is that of the table's nearest texel. Default off.
+  void SetFlatShadows(bool flat);
+  vtkGetMacro(FlatShadows, bool);
+  void SetNearestOutlines(bool nearest);
+  vtkGetMacro(NearestOutlines, bool);
+  ///@}
+
   /// Draw as another mapper does; the height map and the table are shared.
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   vtkMTimeType GetDetailMTime() override;
@@ -76,6 +85,8 @@ private:
   void operator=(const vtkMesoVDMMapper&) = delete;
 
   std::unique_ptr<MesoVDMShader> VDM;
+  bool FlatShadows = false;
+  bool NearestOutlines = false;
 };
 
 #endif

@@ -97,24 +97,41 @@ void MesoCellSolver::Begin(
                                             : patch.Orientation();
 }
 
-void MesoCellSolver::Solve(const MesoBilinearCell& cell, const MesoRect& rect)
+void MesoCellSolver::Solve(const MesoHeightCell& cell, const MesoRect& rect)
 {
   this->Budget = EvaluationLimit;
   this->SolvePiece(cell, rect, 0);
 }
 
 MesoCellSolver::Offset MesoCellSolver::OffsetAt(
-  const MesoBilinearCell& cell, double x, double y) const
+  const MesoHeightCell& cell, double x, double y) const
 {
   const double a = x - cell.X0;
   const double b = y - cell.Y0;
+  double height = 0.;
+  double perX = 0.;
+  double perY = 0.;
+  for (int j = cell.Degree; j >= 0; --j)
+  {
+    double row = 0.;
+    double rowPerX = 0.;
+    for (int i = cell.Degree; i >= 0; --i)
+    {
+      rowPerX = rowPerX * a + row;
+      row = row * a + cell.H[j][i];
+    }
+    perY = perY * b + height;
+    height = height * b + row;
+    perX = perX * b + rowPerX;
+  }
   const double scale = this->Over.Scale;
-  return { (cell.H00 - this->Over.Reference + a * cell.HX + b * cell.HY + a * b * cell.HXY) * scale,
-    (cell.HX + b * cell.HXY) * scale, (cell.HY + a * cell.HXY) * scale, cell.HXY * scale };
+  const double size = std::abs(scale);
+  return { (height - this->Over.Reference) * scale, perX * scale, perY * scale, cell.MostXX * size,
+    cell.MostXY * size, cell.MostYY * size };
 }
 
 MesoCellSolver::Expansion MesoCellSolver::Expand(
-  const MesoBilinearCell& cell, const MesoRect& rect) const
+  const MesoHeightCell& cell, const MesoRect& rect) const
 {
   MesoBasePoint middle;
   MesoBaseBends bends;
@@ -122,10 +139,9 @@ MesoCellSolver::Expansion MesoCellSolver::Expand(
   const double x = 0.5 * (rect.X1 - rect.X0);
   const double y = 0.5 * (rect.Y1 - rect.Y0);
   const Offset at = this->OffsetAt(cell, 0.5 * (rect.X0 + rect.X1), 0.5 * (rect.Y0 + rect.Y1));
-  const double twist = std::abs(at.Gxy);
-  const double mostGx = std::abs(at.Gx) + twist * y;
-  const double mostGy = std::abs(at.Gy) + twist * x;
-  const double mostG = std::abs(at.G) + std::abs(at.Gx) * x + mostGy * y;
+  const double mostGx = std::abs(at.Gx) + at.Gxx * x + at.Gxy * y;
+  const double mostGy = std::abs(at.Gy) + at.Gxy * x + at.Gyy * y;
+  const double mostG = std::abs(at.G) + mostGx * x + mostGy * y;
 
   Expansion result;
   result.Wild = bends.Wild;
@@ -142,9 +158,9 @@ MesoCellSolver::Expansion MesoCellSolver::Expand(
     return result;
   }
   // Bounds of q's second derivatives.
-  const double xx = bends.Pxx + 2. * mostGx * bends.Nx + mostG * bends.Nxx;
-  const double xy = bends.Pxy + twist + mostGx * bends.Ny + mostGy * bends.Nx + mostG * bends.Nxy;
-  const double yy = bends.Pyy + 2. * mostGy * bends.Ny + mostG * bends.Nyy;
+  const double xx = bends.Pxx + at.Gxx + 2. * mostGx * bends.Nx + mostG * bends.Nxx;
+  const double xy = bends.Pxy + at.Gxy + mostGx * bends.Ny + mostGy * bends.Nx + mostG * bends.Nxy;
+  const double yy = bends.Pyy + at.Gyy + 2. * mostGy * bends.Ny + mostG * bends.Nyy;
   result.Around.Middle = middle.P + at.G * middle.N;
   result.Around.Edges[0] = x * (middle.Px + at.Gx * middle.N + at.G * middle.Nx);
   result.Around.Edges[1] = y * (middle.Py + at.Gy * middle.N + at.G * middle.Ny);
@@ -154,7 +170,7 @@ MesoCellSolver::Expansion MesoCellSolver::Expand(
   return result;
 }
 
-void MesoCellSolver::SolvePiece(const MesoBilinearCell& cell, const MesoRect& rect, int depth)
+void MesoCellSolver::SolvePiece(const MesoHeightCell& cell, const MesoRect& rect, int depth)
 {
   if (this->Finished() || this->Budget < 0 || rect.Empty() || this->Patch->Misses(rect))
   {
@@ -238,7 +254,7 @@ void MesoCellSolver::TakePinched(const Expansion& piece, const MesoRect& rect)
   this->IsFound = true;
 }
 
-bool MesoCellSolver::Newton(const MesoBilinearCell& cell, const MesoRect& rect)
+bool MesoCellSolver::Newton(const MesoHeightCell& cell, const MesoRect& rect)
 {
   const double halfX = 0.5 * (rect.X1 - rect.X0);
   const double halfY = 0.5 * (rect.Y1 - rect.Y0);

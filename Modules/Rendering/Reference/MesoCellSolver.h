@@ -48,15 +48,16 @@ struct MesoDisplacement
   double Reference = 1.; ///< r, the height that lies on the base
 };
 
-/// A cell's height: H00 + HX a + HY b + HXY a b for a = x - X0, b = y - Y0.
-struct MesoBilinearCell
+/// A cell's height, a polynomial: the sum of H[j][i] a^i b^j for a = x - X0, b = y - Y0.
+struct MesoHeightCell
 {
   double X0;
   double Y0;
-  double H00;
-  double HX;
-  double HY;
-  double HXY;
+  double H[4][4];
+  int Degree;    ///< along x, and along y: 1 bilinear, 3 bicubic
+  double MostXX; ///< of the size of the second derivatives on the cell
+  double MostXY;
+  double MostYY;
 };
 
 struct MesoPatchHit
@@ -98,7 +99,7 @@ public:
     const MesoBasePatch& patch, const MesoDisplacement& displacement, MesoFacing facing, bool any);
 
   /// Look for a hit in a part of a cell that comes before tMax, which then is where it lies.
-  void Solve(const MesoBilinearCell& cell, const MesoRect& rect);
+  void Solve(const MesoHeightCell& cell, const MesoRect& rect);
 
   /// Whether the ray may meet an enclosure before tMax, and where it comes to it at the earliest.
   bool Touches(const Enclosure& enclosure, double& tLow) const;
@@ -127,14 +128,16 @@ private:
     double G;
     double Gx;
     double Gy;
+    double Gxx; ///< of these three the sizes, at most
     double Gxy;
+    double Gyy;
   };
 
-  Offset OffsetAt(const MesoBilinearCell& cell, double x, double y) const;
-  Expansion Expand(const MesoBilinearCell& cell, const MesoRect& rect) const;
-  void SolvePiece(const MesoBilinearCell& cell, const MesoRect& rect, int depth);
+  Offset OffsetAt(const MesoHeightCell& cell, double x, double y) const;
+  Expansion Expand(const MesoHeightCell& cell, const MesoRect& rect) const;
+  void SolvePiece(const MesoHeightCell& cell, const MesoRect& rect, int depth);
   /// Find the only root of a piece; false where that does not succeed.
-  bool Newton(const MesoBilinearCell& cell, const MesoRect& rect);
+  bool Newton(const MesoHeightCell& cell, const MesoRect& rect);
   /// Take a piece that cannot be decided as a hit where it is a point to the ray.
   void TakePinched(const Expansion& piece, const MesoRect& rect);
   double Rounding(const glm::dvec3& middle) const;

@@ -68,8 +68,9 @@ int MesoHeightPyramid::Axis::CellOf(std::int64_t tile, double coordinate) const
 }
 
 MesoHeightPyramid::MesoHeightPyramid(
-  int width, int height, MesoWrap wrap, std::vector<float> heights)
-  : Columns(width, wrap)
+  int width, int height, MesoWrap wrap, std::vector<float> heights, MesoInterpolation interpolation)
+  : Kind(interpolation)
+  , Columns(width, wrap)
   , Rows(height, wrap)
   , Texture(width, height, wrap, std::move(heights))
 {
@@ -90,6 +91,20 @@ std::array<double, 4> MesoHeightPyramid::Corners(int column, int row) const
 
 MesoHeightPyramid::Range MesoHeightPyramid::RangeOf(int level, int i, int j) const
 {
+  if (level == 0 && this->Kind == MesoInterpolation::Bicubic)
+  {
+    // A B-spline stays between the least and the greatest of the texels that it is made of.
+    const int x = this->Columns.FirstTexel(i);
+    const int y = this->Rows.FirstTexel(j);
+    const auto corner = static_cast<float>(this->Height(x, y));
+    Range range = { corner, corner };
+    for (int texel = 0; texel < 16; ++texel)
+    {
+      const auto height = static_cast<float>(this->Height(x - 1 + texel % 4, y - 1 + texel / 4));
+      range = { std::min(range.Low, height), std::max(range.High, height) };
+    }
+    return range;
+  }
   if (level == 0)
   {
     // The corners are floats, so nothing is lost.

@@ -36,7 +36,12 @@ public:
 
   /// Heights in [0,1], row by row, row 0 at t = 0. Throws std::invalid_argument as
   /// MesoHeightTexture does.
-  MesoHeightPyramid(int width, int height, MesoWrap wrap, std::vector<float> heights);
+  MesoHeightPyramid(int width, int height, MesoWrap wrap, std::vector<float> heights,
+    MesoInterpolation interpolation = MesoInterpolation::Bilinear);
+
+  /// How heights run in a cell: bilinear in its corners, or as the uniform cubic B-spline of the 4 x 4
+  /// texels around it (MesoSplineCell).
+  MesoInterpolation Interpolation() const { return this->Kind; }
 
   /// One direction of the map.
   class Axis
@@ -58,9 +63,10 @@ public:
     std::int64_t TileOf(double coordinate) const;
     int CellOf(std::int64_t tile, double coordinate) const;
 
-  private:
+    /// Whether all beyond the border of the map is level.
     bool Clamped() const { return this->Wrap == MesoWrap::Clamp; }
 
+  private:
     int NumberOfTexels;
     int NumberOfCells;
     MesoWrap Wrap;
@@ -98,6 +104,7 @@ private:
   };
   void AddLevel();
 
+  MesoInterpolation Kind;
   Axis Columns;
   Axis Rows;
   MesoHeightTexture<double> Texture;

@@ -1,5 +1,7 @@
 #include "MesoPatchSolver.h"
 
+#include "MesoSplineCell.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,7 +64,9 @@ bool MesoPatchSolver::FirstHit(const MesoBasePatch& patch, const MesoDisplacemen
   const MesoRect& domain = patch.Domain();
   if (!displacement.Map)
   {
-    this->Cells.Solve({ 0., 0., displacement.Height, 0., 0., 0. }, domain);
+    MesoHeightCell level = {};
+    level.H[0][0] = displacement.Height;
+    this->Cells.Solve(level, domain);
   }
   else
   {
@@ -213,15 +217,29 @@ void MesoPatchSolver::VisitBlock(std::int64_t tileX, std::int64_t tileY, const B
 void MesoPatchSolver::SolveCell(std::int64_t tileX, std::int64_t tileY, int i, int j)
 {
   const MesoHeightPyramid& map = *this->Over.Map;
+  const MesoRect rect = this->RectOf(tileX, tileY, 0, i, j);
+  double x0 = map.X().High(tileX, i) - 1.; // the upper end is finite but in the last cell of clamp,
+  double y0 = map.Y().High(tileY, j) - 1.; // the lower but in the first
+  x0 = std::isfinite(x0) ? x0 : map.X().Low(tileX, i);
+  y0 = std::isfinite(y0) ? y0 : map.Y().Low(tileY, j);
+  if (map.Interpolation() == MesoInterpolation::Bicubic)
+  {
+    const MesoSplineCell spline(map, i, j, x0, y0);
+    for (const MesoRect& part : spline.Parts(rect))
+    {
+      this->Cells.Solve(spline.Over(part), part);
+    }
+    return;
+  }
   const std::array<double, 4> h = map.Corners(i, j);
-  MesoBilinearCell cell;
-  cell.X0 = map.X().High(tileX, i) - 1.; // the upper end is finite but in the last cell of clamp,
-  cell.Y0 = map.Y().High(tileY, j) - 1.; // the lower but in the first
-  cell.X0 = std::isfinite(cell.X0) ? cell.X0 : map.X().Low(tileX, i);
-  cell.Y0 = std::isfinite(cell.Y0) ? cell.Y0 : map.Y().Low(tileY, j);
-  cell.H00 = h[0];
-  cell.HX = h[1] - h[0];
-  cell.HY = h[2] - h[0];
-  cell.HXY = h[3] - h[2] - cell.HX;
-  this->Cells.Solve(cell, this->RectOf(tileX, tileY, 0, i, j));
+  MesoHeightCell cell = {};
+  cell.X0 = x0;
+  cell.Y0 = y0;
+  cell.Degree = 1;
+  cell.H[0][0] = h[0];
+  cell.H[0][1] = h[1] - h[0];
+  cell.H[1][0] = h[2] - h[0];
+  cell.H[1][1] = h[3] - h[2] - cell.H[0][1];
+  cell.MostXY = std::abs(cell.H[1][1]);
+  this->Cells.Solve(cell, rect);
 }

@@ -1,5 +1,6 @@
 #include "MesoReferenceSurface.h"
 
+#include "MesoSplineCell.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -27,12 +28,13 @@ bool IsFinite(const glm::dvec3& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-std::shared_ptr<const MesoHeightPyramid> MakePyramid(vtkImageData* heights, MesoWrap wrap)
+std::shared_ptr<const MesoHeightPyramid> MakePyramid(
+  vtkImageData* heights, const MesoMesostructureOptions& options)
 {
   const int* size = heights->GetDimensions();
   const auto* values = static_cast<const float*>(heights->GetScalarPointer());
-  return std::make_shared<MesoHeightPyramid>(
-    size[0], size[1], wrap, std::vector<float>(values, values + std::size_t(size[0]) * size[1]));
+  return std::make_shared<MesoHeightPyramid>(size[0], size[1], options.Wrap,
+    std::vector<float>(values, values + std::size_t(size[0]) * size[1]), options.Interpolation);
 }
 
 glm::dvec3 NormalToWorld(const glm::dmat4& inverse, const glm::dvec3& normal)
@@ -69,7 +71,7 @@ MesoReferenceSurface::MesoReferenceSurface(
   this->Mirrored = determinant < 0.;
   if (this->Displaced)
   {
-    this->Map = MakePyramid(object.HeightMap, object.Options.Wrap);
+    this->Map = MakePyramid(object.HeightMap, object.Options);
   }
   if (object.NormalMap)
   {
@@ -417,9 +419,16 @@ MesoReferencePoint MesoReferenceSurface::Describe(
       const bool mapped = over.Map && !hit.OnBase;
       const bool displaced = this->Displaced && !hit.OnBase;
       double height = displaced ? over.Height : 1.;
-      glm::dvec2 slope(0.); // of the bilinear patch, per texel
+      glm::dvec2 slope(0.); // of the surface itself, per texel
       glm::dvec2 shadingSlope(0.);
-      if (mapped)
+      if (mapped && over.Map->Interpolation() == MesoInterpolation::Bicubic)
+      {
+        const glm::dvec3 spline = MesoSplineCell::At(*over.Map, hit.X, hit.Y);
+        height = spline.x;
+        slope = { spline.y, spline.z };
+        shadingSlope = slope;
+      }
+      else if (mapped)
       {
         const int width = over.Map->X().Texels();
         const int rows = over.Map->Y().Texels();

@@ -87,7 +87,9 @@ MesoTechniqueModel::MesoTechniqueModel(const MesoScene& scene)
     {
       throw MesoInputError("node " + std::to_string(object.Number) + " '" + object.Name +
         "': the technique " + MesoName(object.Options.Technique) +
-        (object.Options.Technique == MesoTechnique::ReliefQuadric
+        (object.Options.Interpolation != MesoInterpolation::Bilinear
+            ? std::string(" with interpolation ") + MesoName(object.Options.Interpolation)
+            : object.Options.Technique == MesoTechnique::ReliefQuadric
             ? std::string(" over the curved base ") + MesoName(object.Options.Curved)
             : std::string()) +
         " has no model that could be solved apart from it");

@@ -1,2 +1,0 @@
-  mesoTextureDx = dFdx(tcoordVCVSOutput);
-  mesoTextureDy = dFdy(tcoordVCVSOutput);
