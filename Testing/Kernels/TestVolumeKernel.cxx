@@ -153,3 +153,32 @@ TYPED_TEST(VolumeKernel, AWayThatStartsInMatterMeetsItThere)
   EXPECT_TRUE(
     volume.searchVolume(top, Vec3(0., 0., -0.5), Real(this->Depth), Real(0.02), 64, true).Found);
 }
+
+TYPED_TEST(VolumeKernel, PlacesAreLiftedOffMatter)
+{
+  using Real = typename TestFixture::Real;
+  using Vec3 = typename TestFixture::Vec3;
+  const std::array<int, 3> size = { 32, 32, 16 };
+  const typename TestFixture::Volume volume(size, this->Ball(size));
+  const Real depth = Real(this->Depth);
+  const Real voxel = volume.voxelSide(depth);
+  EXPECT_NEAR(voxel, 1. / 32., 1e-6);
+  for (int i = 0; i < 200; ++i)
+  {
+    // In the ball, not at its middle, where no way leads out.
+    Vec3 away(this->Random(-1., 1.), this->Random(-1., 1.), this->Random(-1., 1.));
+    away *= this->Random(0.12, 0.19) / glm::length(away);
+    const Vec3 place = Vec3(0.5, 0.5, 0.5) + away / Vec3(1., 1., depth);
+    const Vec3 lifted = volume.liftedOff(place, depth, Real(1.5));
+    EXPECT_NEAR(volume.exactDistance(lifted), 1.5 * voxel, 0.35 * voxel)
+      << i; // gradients of voxels
+    const Vec3 moved = (lifted - place) * Vec3(1., 1., depth);
+    EXPECT_GT(glm::dot(moved, away) / glm::length(moved) / glm::length(away), 0.99) << i;
+  }
+  const Vec3 up = volume.wayInShell(Vec3(0.2, 0.3, 0.75), Vec3(2., 0., 0.5));
+  EXPECT_NEAR(up.z, 0.25, 1e-6);
+  EXPECT_NEAR(up.x, 1., 1e-6);
+  const Vec3 down = volume.wayInShell(Vec3(0.2, 0.3, 0.75), Vec3(0., 1., -0.5));
+  EXPECT_EQ(down, Vec3(0., 1., -0.5));
+  EXPECT_EQ(volume.wayInShell(Vec3(0.2, 0.3, 1.), Vec3(1., 1., 0.5)), Vec3(0., 0., 0.));
+}

@@ -237,6 +237,26 @@ TEST_F(PrismShell, ThicknessPastTheCurvatureIsTold)
   EXPECT_LT(this->Filter->GetInvertedTriangles().size(), 8u);
 }
 
+TEST_F(PrismShell, SlicesAreSectionsOfThePrisms)
+{
+  const auto sphere = ShapeMesh("sphere", {});
+  const vtkIdType prisms = this->Shell(sphere, 0.2)->GetNumberOfPolys() / 8;
+  this->Filter->SetSlices(4);
+  this->Filter->Update();
+  vtkPolyData* slices = this->Filter->GetOutput();
+  ASSERT_EQ(slices->GetNumberOfPolys(), 4 * prisms);
+  ASSERT_EQ(slices->GetNumberOfPoints(), 12 * prisms);
+  for (vtkIdType i = 0; i < slices->GetNumberOfPoints(); ++i)
+  {
+    const double z = (i / 3 % 4 + 0.5) / 4.;
+    ASSERT_NEAR(MesoLength(PositionOf(slices, i)), 1. + 0.2 * z, 1e-12);
+    ASSERT_EQ(TupleOf(slices, "MesoShellHeight", i)[0], z);
+    ASSERT_EQ(TupleOf(slices, "MesoPrism", i)[0], std::floor(i / 12.));
+  }
+  // Wound as the mesh: their fronts are outside.
+  EXPECT_GT(this->VolumeOf(slices), 0.);
+}
+
 TEST_F(PrismShell, TurnedTrianglesAreDrawnFromOutside)
 {
   // All corners run the other way round than their normals say, as in a mirrored node: faces follow the
