@@ -143,7 +143,7 @@ TEST_F(VDMOnTorus, IsPlainWhereTheMapIsHigh)
     vtkSmartPointer<vtkImageData> high = MesoTestScene::Constant(1.f);
     this->VDM->SetHeightMap(high);
     this->VDM->SetTable(TableOf(high, 0.1, rank, 4));
-    this->ExpectPlain(rank > 0 ? MesoImageLimits() : MesoImageLimits::Exact());
+    this->ExpectPlain(MesoImageLimits()); // a color's last bit may be rounded otherwise
   }
 }
 
