@@ -1,6 +1,10 @@
-# Fails unless glslangValidator takes KERNEL as GLSL 1.50 in a fragment shader, after the height
-# map's ACCESSORS (a list) and the kernels that its lines "// Needs A.glsl" name.
+# Fails unless glslangValidator takes KERNEL as GLSL 1.50 in a fragment shader, after the accessors that
+# kernels stand on and the kernels that its lines "// Needs A.glsl" name.
 cmake_minimum_required(VERSION 3.20)
+set(accessors "")
+foreach (name IN ITEMS Height Cone Base GDM GDMFactors GDMWhole Volume)
+  list(APPEND accessors "${CMAKE_CURRENT_LIST_DIR}/../../Shaders/Common/${name}Access.glsl")
+endforeach ()
 set(order "")
 macro (add_kernel file)
   file(STRINGS "${file}" needs REGEX "^// Needs ")
@@ -17,7 +21,7 @@ add_kernel("${KERNEL}")
 
 # What the accessors stand on: defines, and a uniform of Common/Surface.glsl.
 set(shader "#version 150\n#define MESO_WRAP 0\n#define MESO_GDM_GROUPS 1\nuniform vec2 mesoTiles;\n")
-foreach (file IN LISTS ACCESSORS order)
+foreach (file IN LISTS accessors order)
   file(READ "${file}" text)
   string(APPEND shader "${text}")
 endforeach ()
