@@ -43,10 +43,9 @@ std::string BytesOfFiles(const std::vector<MesoSceneNode>& nodes)
   std::string bytes;
   for (const MesoSceneNode& node : nodes)
   {
-    for (const std::string& name :
-      { node.Mesh ? node.Mesh->File : "", node.Map ? node.Map->File : "",
-        node.Volume ? node.Volume->File : "", node.Baked, node.Material.ColorMap,
-        node.Material.NormalMap })
+    for (const std::string& name : { node.Mesh ? node.Mesh->File : "",
+           node.Map ? node.Map->File : "", node.Volume ? node.Volume->File : "", node.Baked,
+           node.Material.ColorMap, node.Material.NormalMap })
     {
       bytes += "\n" + (name.empty() ? "" : BytesOf(name));
     }

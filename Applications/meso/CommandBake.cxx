@@ -2,6 +2,7 @@
 
 #include "BakeFromMesh.h"
 #include "BakeGDM.h"
+#include "BakeGeometryImage.h"
 #include "BakeHorizon.h"
 #include "BakeNormal.h"
 #include "BakeSearchMap.h"
@@ -14,6 +15,7 @@ CommandBake::CommandBake(CLI::App& app)
 {
   this->Kinds.push_back(std::make_unique<BakeFromMesh>());
   this->Kinds.push_back(std::make_unique<BakeGDM>());
+  this->Kinds.push_back(std::make_unique<BakeGeometryImage>());
   this->Kinds.push_back(std::make_unique<BakeHorizon>());
   this->Kinds.push_back(std::make_unique<BakeNormal>());
   this->Kinds.push_back(std::make_unique<BakeCone>());

@@ -87,8 +87,10 @@ void CommandRender::Override(std::vector<MesoSceneNode>& nodes) const
   for (MesoSceneNode& node : nodes)
   {
     MesoMesostructureOptions& options = node.Mesostructure;
-    // A node without a map has nothing that another technique could draw.
-    if (this->Technique && (node.Map || *this->Technique == MesoTechnique::Plain))
+    // A node without a map or a volume has nothing that another technique could draw.
+    if (this->Technique &&
+      (*this->Technique == MesoTechnique::Plain ||
+        (MesoUsesVolume(*this->Technique) ? node.Volume.has_value() : node.Map.has_value())))
     {
       options.Technique = *this->Technique;
       options.Effects = MesoEffectChoice();

@@ -19,36 +19,33 @@ float surfaceHeight(vec2 uv)
   return mapHeight(uv);
 }
 
-// dh/du, dh/dv of the shading normal.
-vec2 surfaceGradient(vec2 uv)
+// dh/du, dh/dv: of the surface itself, or of the shading normal.
+vec2 surfaceSlope(vec2 uv, bool ofFacet)
 {
 #ifdef MESO_FILTER
   if (mesoLevel >= 1.0)
   {
     return gradientOfLevel(uv, mesoLevel);
   }
+#endif
+  vec2 slope = ofFacet ? mapFacet(uv) : mapGradient(uv);
+#ifdef MESO_FILTER
   if (mesoLevel > 0.0)
   {
-    return mix(mapGradient(uv), gradientOfLevel(uv, 1.0), mesoLevel);
+    slope = mix(slope, gradientOfLevel(uv, 1.0), mesoLevel);
   }
 #endif
-  return mapGradient(uv);
+  return slope;
 }
 
-// Of the surface itself.
+vec2 surfaceGradient(vec2 uv)
+{
+  return surfaceSlope(uv, false);
+}
+
 vec2 surfaceFacet(vec2 uv)
 {
-#ifdef MESO_FILTER
-  if (mesoLevel >= 1.0)
-  {
-    return gradientOfLevel(uv, mesoLevel);
-  }
-  if (mesoLevel > 0.0)
-  {
-    return mix(mapFacet(uv), gradientOfLevel(uv, 1.0), mesoLevel);
-  }
-#endif
-  return mapFacet(uv);
+  return surfaceSlope(uv, true);
 }
 
 #ifdef MESO_FILTER

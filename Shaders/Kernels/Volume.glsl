@@ -85,6 +85,30 @@ vec3 volumeGradient(vec3 place)
       exactDistance(place + dz) - exactDistance(place - dz));
 }
 
+// A place in or on matter moved out of it, along its normal, by `voxels` beyond its surface.
+vec3 liftedOff(vec3 place, float depth, float voxels)
+{
+  vec3 metric = vec3(1.0, 1.0, depth);
+  vec3 away = volumeGradient(place) / metric; // per tile width
+  float size = length(away);
+  if (!(size > 0.0))
+  {
+    return place;
+  }
+  float inside = max(-exactDistance(place), 0.0);
+  return place + (inside + voxels * voxelSide(depth)) / size * away / metric;
+}
+
+// The part of a way from a place that lies in the shell.
+vec3 wayInShell(vec3 from, vec3 span)
+{
+  if (span.z == 0.0)
+  {
+    return span;
+  }
+  return span * clamp(((span.z > 0.0 ? 1.0 : 0.0) - from.z) / span.z, 0.0, 1.0);
+}
+
 // Where between two parts of a way, the first outside and the last inside, it comes in.
 float comesIn(vec3 from, vec3 span, float outside, float inside, float distanceOutside,
   float distanceInside, out int fetches)

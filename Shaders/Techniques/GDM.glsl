@@ -63,25 +63,9 @@ vec3 facetGradient(vec3 place)
 
 bool matterBlocks(vec3 from, vec3 span, out int fetches)
 {
-  vec3 metric = vec3(1.0, 1.0, mesoVolumeDepth);
-  vec3 away = volumeGradient(from) / metric; // per tile width
-  float size = length(away);
-  vec3 start = from;
-  if (size > 0.0)
-  {
-    start += MESO_LIFT_VOXELS * voxelSide(mesoVolumeDepth) / size * away / metric;
-  }
-  fetches = 9 + MESO_CORRECTIONS;
-  if (start.z <= 0.0 || start.z >= 1.0)
-  {
-    return false;
-  }
-  // The rest of the way, to where it leaves the shell or reaches the light.
-  vec3 rest = span;
-  if (span.z != 0.0)
-  {
-    rest *= clamp(((span.z > 0.0 ? 1.0 : 0.0) - start.z) / span.z, 0.0, 1.0);
-  }
+  vec3 start = liftedOff(from, mesoVolumeDepth, MESO_LIFT_VOXELS);
+  fetches = 10 + MESO_CORRECTIONS;
   float part;
-  return sampleVolume(start) <= 0.0 || lookUp(start, rest, part);
+  return start.z > 0.0 && start.z < 1.0 &&
+    (sampleVolume(start) <= 0.0 || lookUp(start, wayInShell(start, span), part));
 }

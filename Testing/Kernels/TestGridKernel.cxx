@@ -134,8 +134,7 @@ TYPED_TEST(GridKernel, NormalsAreThoseOfTheDisplacedSurface)
     const double v = this->Random(-1.2, 1.2);
     const glm::dvec3 n = Ball::Normal(u, v);
     const glm::dvec3 perU(-std::cos(v) * std::sin(u), std::cos(v) * std::cos(u), 0.);
-    const glm::dvec3 perV(
-      -std::sin(v) * std::cos(u), -std::sin(v) * std::sin(u), std::cos(v));
+    const glm::dvec3 perV(-std::sin(v) * std::cos(u), -std::sin(v) * std::sin(u), std::cos(v));
     const auto normal = [&](double turn, double mirror)
     {
       // Positions are twice as far out as unit normals. Mirrored: u counts backwards.

@@ -133,7 +133,8 @@ TYPED_TEST(PrismKernel, IsWhatItsTrianglesEnclose)
   for (int i = 0; i < 2000; ++i)
   {
     const auto p = this->Bent(0.2);
-    const Vec3 through = this->PointOf(p, Vec3(0.3, 0.3, this->Random(-0.2, 1.2))) + this->Around(0.4);
+    const Vec3 through =
+      this->PointOf(p, Vec3(0.3, 0.3, this->Random(-0.2, 1.2))) + this->Around(0.4);
     const Vec3 direction = this->Around(1.);
     const Vec3 origin = through - Real(3) * direction;
     for (int j = 0; j < 20; ++j)
@@ -269,9 +270,9 @@ TYPED_TEST(PrismKernel, AFanAroundAVertexFillsARayThroughIt)
     }
     return sum;
   };
-  EXPECT_NEAR(filled(Vec3(0., 0., 2.), Vec3(0., 0., -1.)), 1., 1e-5);      // the axis itself
-  EXPECT_NEAR(filled(Vec3(0.5, 0., 2.), Vec3(0., 0., -1.)), 1., 1e-5);     // in a fin
-  EXPECT_NEAR(filled(Vec3(-2., 0., 0.5), Vec3(1., 0., 0.)), 1.1, 1e-5);    // in two fins: half of 2.2
+  EXPECT_NEAR(filled(Vec3(0., 0., 2.), Vec3(0., 0., -1.)), 1., 1e-5);   // the axis itself
+  EXPECT_NEAR(filled(Vec3(0.5, 0., 2.), Vec3(0., 0., -1.)), 1., 1e-5);  // in a fin
+  EXPECT_NEAR(filled(Vec3(-2., 0., 0.5), Vec3(1., 0., 0.)), 1.1, 1e-5); // in two fins: half of 2.2
 }
 
 TYPED_TEST(PrismKernel, PrismsWithoutVolumeGiveNumbers)
@@ -291,7 +292,8 @@ TYPED_TEST(PrismKernel, PrismsWithoutVolumeGiveNumbers)
   {
     for (int i = 0; i < 200; ++i)
     {
-      const Vec3 direction = i < 3 ? Vec3(Real(i == 0), Real(i == 1), Real(i == 2)) : this->Around(1.);
+      const Vec3 direction =
+        i < 3 ? Vec3(Real(i == 0), Real(i == 1), Real(i == 2)) : this->Around(1.);
       const Vec3 origin = i < 6 ? Vec3(0.) : this->Around(2.);
       const auto span = this->K.prismSpan(p, origin, direction, 0.);
       EXPECT_FALSE(std::isnan(span.Enter) || std::isnan(span.Leave));

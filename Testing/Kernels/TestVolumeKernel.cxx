@@ -51,7 +51,8 @@ TYPED_TEST(VolumeKernel, DistancesAreThoseOfTheSampler)
   // A tile on, the same; below the first slice's middle, as there.
   EXPECT_NEAR(volume.exactDistance(Vec3(0.3, 0.2, 0.5)), volume.exactDistance(Vec3(2.3, -0.8, 0.5)),
     30. * this->Epsilon);
-  EXPECT_EQ(volume.exactDistance(Vec3(0.3, 0.2, 0.)), volume.exactDistance(Vec3(0.3, 0.2, 1. / 6.)));
+  EXPECT_EQ(
+    volume.exactDistance(Vec3(0.3, 0.2, 0.)), volume.exactDistance(Vec3(0.3, 0.2, 1. / 6.)));
 }
 
 TYPED_TEST(VolumeKernel, GradientsAreThoseOfTheInterpolant)
@@ -82,9 +83,12 @@ TYPED_TEST(VolumeKernel, GradientsAreThoseOfTheInterpolant)
   // Central differences of one voxel, in the middle of one.
   const Vec3 middle(3.5 / 8., 4.5 / 8., 2.5 / 8.);
   const Vec3 central = volume.volumeGradient(middle);
-  EXPECT_NEAR(central.x, 4. * (volume.fetchVolume({ 4, 4, 2 }) - volume.fetchVolume({ 2, 4, 2 })), 1e-5);
-  EXPECT_NEAR(central.y, 4. * (volume.fetchVolume({ 3, 5, 2 }) - volume.fetchVolume({ 3, 3, 2 })), 1e-5);
-  EXPECT_NEAR(central.z, 4. * (volume.fetchVolume({ 3, 4, 3 }) - volume.fetchVolume({ 3, 4, 1 })), 1e-5);
+  EXPECT_NEAR(
+    central.x, 4. * (volume.fetchVolume({ 4, 4, 2 }) - volume.fetchVolume({ 2, 4, 2 })), 1e-5);
+  EXPECT_NEAR(
+    central.y, 4. * (volume.fetchVolume({ 3, 5, 2 }) - volume.fetchVolume({ 3, 3, 2 })), 1e-5);
+  EXPECT_NEAR(
+    central.z, 4. * (volume.fetchVolume({ 3, 4, 3 }) - volume.fetchVolume({ 3, 4, 1 })), 1e-5);
 }
 
 TYPED_TEST(VolumeKernel, FindsTheFirstMeeting)
@@ -100,7 +104,8 @@ TYPED_TEST(VolumeKernel, FindsTheFirstMeeting)
     const Vec3 from(this->Random(0., 1.), this->Random(0., 1.), this->Random(0.95, 1.));
     const Vec3 to(this->Random(-1., 2.), this->Random(-1., 2.), 0.);
     const Vec3 span = to - from;
-    const auto hit = volume.searchVolume(from, span, Real(this->Depth), Real(0.25) * voxel, 256, false);
+    const auto hit =
+      volume.searchVolume(from, span, Real(this->Depth), Real(0.25) * voxel, 256, false);
     constexpr int marches = 4000;
     double first = 2.;
     double nearest = 1.;
@@ -116,7 +121,8 @@ TYPED_TEST(VolumeKernel, FindsTheFirstMeeting)
       ++hits;
       ASSERT_LE(first, 1.) << i;
       EXPECT_NEAR(hit.Part, first, 1.5 / marches) << i;
-      EXPECT_NEAR(volume.exactDistance(from + hit.Part * span), 0., 2e-4 * voxel + 10. * this->Epsilon);
+      EXPECT_NEAR(
+        volume.exactDistance(from + hit.Part * span), 0., 2e-4 * voxel + 10. * this->Epsilon);
     }
     else
     {
@@ -146,4 +152,33 @@ TYPED_TEST(VolumeKernel, AWayThatStartsInMatterMeetsItThere)
     volume.searchVolume(top, Vec3(0., 0., 0.09), Real(this->Depth), Real(0.02), 64, true).Found);
   EXPECT_TRUE(
     volume.searchVolume(top, Vec3(0., 0., -0.5), Real(this->Depth), Real(0.02), 64, true).Found);
+}
+
+TYPED_TEST(VolumeKernel, PlacesAreLiftedOffMatter)
+{
+  using Real = typename TestFixture::Real;
+  using Vec3 = typename TestFixture::Vec3;
+  const std::array<int, 3> size = { 32, 32, 16 };
+  const typename TestFixture::Volume volume(size, this->Ball(size));
+  const Real depth = Real(this->Depth);
+  const Real voxel = volume.voxelSide(depth);
+  EXPECT_NEAR(voxel, 1. / 32., 1e-6);
+  for (int i = 0; i < 200; ++i)
+  {
+    // In the ball, not at its middle, where no way leads out.
+    Vec3 away(this->Random(-1., 1.), this->Random(-1., 1.), this->Random(-1., 1.));
+    away *= this->Random(0.12, 0.19) / glm::length(away);
+    const Vec3 place = Vec3(0.5, 0.5, 0.5) + away / Vec3(1., 1., depth);
+    const Vec3 lifted = volume.liftedOff(place, depth, Real(1.5));
+    EXPECT_NEAR(volume.exactDistance(lifted), 1.5 * voxel, 0.35 * voxel)
+      << i; // gradients of voxels
+    const Vec3 moved = (lifted - place) * Vec3(1., 1., depth);
+    EXPECT_GT(glm::dot(moved, away) / glm::length(moved) / glm::length(away), 0.99) << i;
+  }
+  const Vec3 up = volume.wayInShell(Vec3(0.2, 0.3, 0.75), Vec3(2., 0., 0.5));
+  EXPECT_NEAR(up.z, 0.25, 1e-6);
+  EXPECT_NEAR(up.x, 1., 1e-6);
+  const Vec3 down = volume.wayInShell(Vec3(0.2, 0.3, 0.75), Vec3(0., 1., -0.5));
+  EXPECT_EQ(down, Vec3(0., 1., -0.5));
+  EXPECT_EQ(volume.wayInShell(Vec3(0.2, 0.3, 1.), Vec3(1., 1., 0.5)), Vec3(0., 0., 0.));
 }

@@ -152,7 +152,7 @@ TEST(GDMSweep, AgreesWithRaysFollowedOneByOne)
         }
       }
     }
-    EXPECT_LT(std::sqrt(squares / count), 0.25 / 16.) << pattern;
+    EXPECT_LT(std::sqrt(squares / count), 0.18 / 16.) << pattern;
     EXPECT_LT(off, 0.01 * count) << pattern;
   }
 }

@@ -78,7 +78,8 @@ TEST(DisplacementAgainstReference, CurvatureOfTheBaseMattersWhereReliefIsThick)
   int i = 0;
   for (const char* scale : { "0.02", "0.2" })
   {
-    const std::string start = std::string(R"("quality": "high", "reference": 0, "scale": )") + scale;
+    const std::string start =
+      std::string(R"("quality": "high", "reference": 0, "scale": )") + scale;
     const MesoGeometryError with = ErrorOf(Torus(start + Smooth + R"(, "curvature"])"));
     const MesoGeometryError without = ErrorOf(Torus(start + Smooth + "]"));
     std::cout << "D " << scale << ": normals off by " << with.Normal.Mean << " degrees, without it "

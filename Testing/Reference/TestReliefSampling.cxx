@@ -5,8 +5,10 @@
 #include "MesoGeometryError.h"
 #include "MesoReference.h"
 
+#include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkPNGWriter.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
@@ -249,6 +251,11 @@ TEST(ReliefSampling, ColoursDoNotStray)
   scene.Nodes[0].Mesostructure.Effects = { false, { MesoEffect::Occlusion, MesoEffect::Depth } };
   scene.Nodes[0].Material.Ambient = 1.;
   scene.Nodes[0].Material.Diffuse = 0.;
+  vtkNew<vtkRenderer> renderer;
+  MesoSceneBuilder builder;
+  builder.Build(scene, renderer);
+  EXPECT_EQ(
+    builder.GetObjects().front().Actor->GetTexture()->GetMaximumAnisotropicFiltering(), 1.f);
   const Picture picture = DrawnPicture(scene, 120, 120);
   int stray = 0;
   int gray = 0;

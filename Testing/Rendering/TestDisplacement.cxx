@@ -129,8 +129,7 @@ TEST_F(Displacement, IsTheDicedMeshWhereBothCutAlike)
 {
   this->UseTorus();
   this->ExpectDicedPicture("brick");
-  EXPECT_EQ(this->Mapper->GetNumberOfTrianglesDrawn(),
-    this->Diced->GetInput()->GetNumberOfPolys());
+  EXPECT_EQ(this->Mapper->GetNumberOfTrianglesDrawn(), this->Diced->GetInput()->GetNumberOfPolys());
   EXPECT_EQ(this->Mapper->GetNumberOfTrianglesDrawn(), 2 * 24 * 12 * 64);
   for (const char* channel : { "coverage", "depth", "relief", "texcoord.u", "texcoord.v" })
   {
@@ -219,8 +218,8 @@ TEST_F(Displacement, ColoursByPointArrays)
   table->SetValueRange(0., 1.);
   table->SetNumberOfTableValues(1024);
   table->Build();
-  for (vtkMesoPolyDataMapper* mapper :
-    { static_cast<vtkMesoPolyDataMapper*>(this->Mapper), static_cast<vtkMesoPolyDataMapper*>(this->Diced) })
+  for (vtkMesoPolyDataMapper* mapper : { static_cast<vtkMesoPolyDataMapper*>(this->Mapper),
+         static_cast<vtkMesoPolyDataMapper*>(this->Diced) })
   {
     mapper->SetScalarModeToUsePointFieldData();
     mapper->SelectColorArray("number");
@@ -283,8 +282,7 @@ TEST_F(Displacement, MixedLevelsLeaveNoHoles)
   {
     const double angle = 0.4 * turn;
     camera->SetPosition(1.2 * std::cos(angle), 0.1, 1.2 * std::sin(angle));
-    camera->SetFocalPoint(
-      1.2 * std::cos(angle) + std::cos(3. * turn), 0.3 * std::sin(5. * turn),
+    camera->SetFocalPoint(1.2 * std::cos(angle) + std::cos(3. * turn), 0.3 * std::sin(5. * turn),
       1.2 * std::sin(angle) + std::sin(3. * turn));
     camera->SetViewUp(0., 1., 0.);
     camera->SetClippingRange(0.005, 10.);
@@ -391,9 +389,9 @@ TEST_F(Displacement, WireframeAndPointsShowTheBase)
   for (const int representation : { VTK_WIREFRAME, VTK_POINTS })
   {
     this->Scene.Actor->GetProperty()->SetRepresentation(representation);
-    EXPECT_TRUE(MesoCompareImages(
-      this->Grab(this->Mapper), this->Grab(plain), MesoImageLimits::Exact())
-                  .Within);
+    EXPECT_TRUE(
+      MesoCompareImages(this->Grab(this->Mapper), this->Grab(plain), MesoImageLimits::Exact())
+        .Within);
   }
 }
 
@@ -438,9 +436,9 @@ TEST_F(Displacement, SaysWhatTheInputLacks)
   const MesoExpectedMessages messages("named texture coordinates");
   vtkNew<vtkMesoPolyDataMapper> plain;
   plain->SetInputData(bare);
-  EXPECT_TRUE(MesoCompareImages(
-    this->Grab(this->Mapper), this->Grab(plain), MesoImageLimits::Exact())
-                .Within);
+  EXPECT_TRUE(
+    MesoCompareImages(this->Grab(this->Mapper), this->Grab(plain), MesoImageLimits::Exact())
+      .Within);
   EXPECT_NE(this->Mapper->GetWhyPlain().find("named texture coordinates"), std::string::npos)
     << this->Mapper->GetWhyPlain();
 }

@@ -5,6 +5,7 @@
 #include "MesoExpectedMessages.h"
 #include "MesoTestVolume.h"
 
+#include "vtkMesoGDMTable.h"
 #include "vtkMesoPrismShell.h"
 #include "vtkMesoShellMapper.h"
 
@@ -80,7 +81,10 @@ protected:
     return holes;
   }
 
-  std::vector<float> Numbers() const { return this->Pass->GetInterleaved(this->Pass->GetChannelNames()); }
+  std::vector<float> Numbers() const
+  {
+    return this->Pass->GetInterleaved(this->Pass->GetChannelNames());
+  }
 };
 
 /// The prisms of a shell in another order: their faces are drawn in it.
@@ -331,6 +335,70 @@ TEST_F(ShellMapper, LightIsBlockedByMatterAbove)
     dark += up && blocked ? 1 : 0; // where the two bars meet, a facet's normal may be any
   }
   EXPECT_LT(dark, 5);
+}
+
+TEST_F(ShellMapper, SlicesOfASlabAreOnTheirHeights)
+{
+  // Matter up to 0.4 of 0.5: of 8 slices the third, at 2.5/8, is the highest in it.
+  this->Use(MesoTestScene::Shape("plane", { { "size", { 4., 4. } } }), MesoTestSlab(0.4), 0.5);
+  vtkNew<vtkMesoPrismShell> slices;
+  slices->SetInputData(MesoTestScene::Shape("plane", { { "size", { 4., 4. } } }));
+  slices->SetThickness(0.5);
+  slices->SetSlices(8);
+  slices->Update();
+  this->Options.Technique = MesoTechnique::Slices;
+  this->Mapper->SetOptions(this->Options);
+  this->Mapper->SetInputData(slices->GetOutput());
+  this->Scene.LookFrom(0., 0., 5.);
+  EXPECT_EQ(this->Check(), 120 * 120);
+  EXPECT_NEAR(this->Value("depth", 60, 60), 5. - 0.5 * 2.5 / 8., 1e-4);
+  EXPECT_NEAR(this->Value("relief", 60, 60), 1. - 2.5 / 8., 1e-5);
+  EXPECT_NEAR(this->Value("normal.z", 60, 60), 1., 1e-5);
+  EXPECT_EQ(this->Value("shadow.0", 60, 60), 0.f); // the slab above a slice is no shade
+  // From below the lowest slice is seen, from its back.
+  this->Scene.LookFrom(0., 0., -5.);
+  EXPECT_EQ(this->Check(), 120 * 120);
+  EXPECT_NEAR(this->Value("depth", 60, 60), 5. + 0.5 * 0.5 / 8., 1e-4);
+}
+
+TEST_F(ShellMapper, ATableMeetsWhatTheDistanceMeets)
+{
+  // Thick bars, of which a table of 16 factors knows most; against shell-sdf.
+  const auto bars = MesoTestVolume({ 24, 24, 12 }, 0.5,
+    [](double, double y, double z) { return std::hypot(y - 0.5, z - 0.25) - 0.2; });
+  const auto plane =
+    MesoTestScene::Shape("plane", { { "segments", { 2., 2. } }, { "size", { 2., 2. } } });
+  this->Use(plane, bars, 1., 2., 2.);
+  this->Scene.LookFrom(0.6, -1.2, 3.);
+  const int covered = this->Check();
+  const std::vector<float> depths = this->Pass->GetChannel("depth");
+  vtkNew<vtkMesoGDMTable> table;
+  table->SetInputData(bars);
+  this->Options.Technique = MesoTechnique::GDM;
+  this->Options.Quality = MesoQuality::High;
+  for (const int rank : { 16, 0 })
+  {
+    table->SetRank(rank);
+    table->SetBits(rank > 0 ? 16 : 8);
+    table->Update();
+    this->Mapper->SetTable(table->GetOutput());
+    this->Mapper->SetOptions(this->Options);
+    EXPECT_NEAR(this->Check(), covered, covered / 50) << rank;
+    const std::vector<float> looked = this->Pass->GetChannel("depth");
+    int both = 0;
+    int off = 0;
+    for (std::size_t i = 0; i < depths.size(); ++i)
+    {
+      both += depths[i] > 0.f && looked[i] > 0.f ? 1 : 0;
+      off += depths[i] > 0.f && looked[i] > 0.f && std::abs(depths[i] - looked[i]) > 0.02f ? 1 : 0;
+    }
+    EXPECT_GT(both, 3000);
+    EXPECT_LT(off, both / 10) << rank; // at the bars' outlines
+  }
+  // Without a table the shell's faces are drawn.
+  this->Mapper->SetTable(nullptr);
+  this->Scene.Window->Render();
+  EXPECT_TRUE(this->Mapper->GetEffectsDrawn().Empty());
 }
 
 TEST_F(ShellMapper, EveryCombinationIsDrawn)

@@ -182,6 +182,23 @@ TEST(GeometryImage, MirroredChartsFaceOutwardToo)
   EXPECT_EQ(range[1], 0.);
 }
 
+TEST(GeometryImage, FollowsCoordinatesBeyondTheMap)
+{
+  const auto mesh = Shape("torus");
+  vtkNew<vtkPolyData> shifted;
+  shifted->DeepCopy(mesh);
+  vtkDataArray* coordinates = shifted->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    coordinates->SetComponent(i, 0, coordinates->GetComponent(i, 0) - 0.125);
+  }
+  const auto surface = vtkMesoGeometryImage::SurfaceOf(ImageOf(shifted, 64), 0);
+  EXPECT_EQ(OpenEdges(surface), 0);
+  const double* range = surface->GetPointData()->GetTCoords()->GetRange(0);
+  EXPECT_NEAR(range[0], -0.125, 1e-6);
+  EXPECT_NEAR(range[1], 0.875, 1e-6);
+}
+
 TEST(GeometryImage, NormalsAreUnitWhereThereIsAChart)
 {
   const auto image = ImageOf(Shape("cube"), 48);
@@ -212,10 +229,11 @@ TEST(GeometryImage, SaysWhatItCannotUse)
   };
   vtkNew<vtkPolyData> mesh;
   mesh->DeepCopy(Shape("torus"));
-  mesh->GetPointData()->GetTCoords()->SetComponent(7, 1, 1.25);
+  mesh->GetPointData()->GetTCoords()->SetComponent(7, 1, 2.25);
   EXPECT_EQ(message(mesh),
-    "texture coordinate 1.250000 of point 7 lies outside of [0, 1]: a geometry image needs an atlas "
-    "there");
+    "the texture coordinates spread over 2.250000 tiles: a geometry image needs an atlas in [0, 1] "
+    "x "
+    "[0, 1]");
   mesh->DeepCopy(Shape("torus"));
   mesh->GetPointData()->GetNormals()->SetComponent(7, 1, NAN);
   EXPECT_NE(message(mesh).find("the normal of point 7 is not finite"), std::string::npos);

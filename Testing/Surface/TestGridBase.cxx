@@ -62,8 +62,7 @@ Cut CutInto(const MesoGridBase& base, vtkPolyData* mesh, const MesoGridPieces& p
       const float* numbers = &pieces.Numbers[8 * piece];
       const auto triangle = static_cast<std::int64_t>(numbers[0]);
       const int rows = int(numbers[3]);
-      const auto vertex = [&](int corner)
-      {
+      const auto vertex = [&](int corner) {
         return static_cast<std::int64_t>(
           vertices->GetTuple1(base.GetTriangles()[triangle][corner]));
       };
@@ -339,7 +338,8 @@ TEST(GridBase, RefusesWhatItCannotCut)
   MesoGridSize size;
   size.Texels = { 1e5, 1e5 };
   EXPECT_EQ(message([&] { MesoGridBase(mesh).PiecesFor(size, nullptr); }),
-    "the surface would be cut into more than 100000000 triangles; take fewer facets a texel or more "
+    "the surface would be cut into more than 100000000 triangles; take fewer facets a texel or "
+    "more "
     "pixels a facet");
   size.Texels = { 1e9, 1e9 };
   EXPECT_EQ(message([&] { MesoGridBase(mesh).PiecesFor(size, nullptr); }),

@@ -123,8 +123,7 @@ TEST(LoopSubdivision, SeamsOfTheTextureAreNoEdges)
     const auto p = PointOf(fine, i);
     const int along = int(std::lround(coordinates->GetComponent(i, 0) * 48.)) % 4;
     const int around = int(std::lround(coordinates->GetComponent(i, 1) * 32.)) % 32;
-    const auto found =
-      distances.emplace(std::make_pair(along, around), std::hypot(p[0], p[2]));
+    const auto found = distances.emplace(std::make_pair(along, around), std::hypot(p[0], p[2]));
     EXPECT_NEAR(found.first->second, std::hypot(p[0], p[2]), 1e-6);
   }
 }
@@ -138,7 +137,8 @@ TEST(LoopSubdivision, BordersAreCurvesOfTheirOwn)
     vtkNew<vtkPoints> points;
     for (int i = 0; i < 6; ++i)
     {
-      points->InsertNextPoint(std::cos(i * std::acos(-1.) / 3.), std::sin(i * std::acos(-1.) / 3.), 0.);
+      points->InsertNextPoint(
+        std::cos(i * std::acos(-1.) / 3.), std::sin(i * std::acos(-1.) / 3.), 0.);
     }
     points->InsertNextPoint(0., 0., height);
     mesh->SetPoints(points);

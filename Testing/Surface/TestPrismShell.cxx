@@ -129,7 +129,8 @@ TEST_F(PrismShell, CornersAreWhereTheMapOfPrismsSays)
       ASSERT_NEAR(place, PositionOf(shell, point)[axis], 2e-7);
     }
     ASSERT_NEAR(table->GetComponent(row, 3), TupleOf(shell, "TextureCoordinates", point)[0], 1e-7);
-    ASSERT_NEAR(table->GetComponent(row + 3, 3), TupleOf(shell, "TextureCoordinates", point)[1], 1e-7);
+    ASSERT_NEAR(
+      table->GetComponent(row + 3, 3), TupleOf(shell, "TextureCoordinates", point)[1], 1e-7);
   }
 }
 
@@ -181,7 +182,8 @@ TEST_F(PrismShell, HardEdgesTJunctionsAndDuplicatesEndByFins)
   EXPECT_EQ(this->Filter->GetNumberOfOpenFins(), 6);
   frames->SplitNormalsOn();
   frames->Update();
-  EXPECT_EQ(this->LoneAndWrong(this->Shell(frames->GetOutput(), 0.1)), (std::array<int, 2>{ 16, 0 }));
+  EXPECT_EQ(
+    this->LoneAndWrong(this->Shell(frames->GetOutput(), 0.1)), (std::array<int, 2>{ 16, 0 }));
   EXPECT_EQ(this->Filter->GetNumberOfOpenFins(), 8);
 
   // A T-junction: the edge from (0, 0) to (2, 0) on one side, in two parts on the other.
@@ -233,6 +235,26 @@ TEST_F(PrismShell, ThicknessPastTheCurvatureIsTold)
   this->Shell(plane, 2.5);
   EXPECT_FALSE(this->Filter->GetInvertedTriangles().empty());
   EXPECT_LT(this->Filter->GetInvertedTriangles().size(), 8u);
+}
+
+TEST_F(PrismShell, SlicesAreSectionsOfThePrisms)
+{
+  const auto sphere = ShapeMesh("sphere", {});
+  const vtkIdType prisms = this->Shell(sphere, 0.2)->GetNumberOfPolys() / 8;
+  this->Filter->SetSlices(4);
+  this->Filter->Update();
+  vtkPolyData* slices = this->Filter->GetOutput();
+  ASSERT_EQ(slices->GetNumberOfPolys(), 4 * prisms);
+  ASSERT_EQ(slices->GetNumberOfPoints(), 12 * prisms);
+  for (vtkIdType i = 0; i < slices->GetNumberOfPoints(); ++i)
+  {
+    const double z = (i / 3 % 4 + 0.5) / 4.;
+    ASSERT_NEAR(MesoLength(PositionOf(slices, i)), 1. + 0.2 * z, 1e-12);
+    ASSERT_EQ(TupleOf(slices, "MesoShellHeight", i)[0], z);
+    ASSERT_EQ(TupleOf(slices, "MesoPrism", i)[0], std::floor(i / 12.));
+  }
+  // Wound as the mesh: their fronts are outside.
+  EXPECT_GT(this->VolumeOf(slices), 0.);
 }
 
 TEST_F(PrismShell, TurnedTrianglesAreDrawnFromOutside)

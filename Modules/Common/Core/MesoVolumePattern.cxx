@@ -177,7 +177,8 @@ void MesoVolumePattern::Slices(std::array<int, 3> size, int first, int last, flo
     {
       for (vtkIdType row = begin; row < end; ++row)
       {
-        const double z = (double(first + row / size[1]) + 0.5) / size[2];
+        const vtkIdType slice = first + row / size[1];
+        const double z = (double(slice) + 0.5) / size[2];
         const double y = (double(row % size[1]) + 0.5) / size[1];
         for (int i = 0; i < size[0]; ++i)
         {

@@ -44,8 +44,8 @@ public:
 
   Real fetchVolume(const glm::ivec3& voxel) const
   {
-    return Real(this->Distances[(std::size_t(voxel.z) * this->Size.y + voxel.y) * this->Size.x +
-      voxel.x]);
+    return Real(
+      this->Distances[(std::size_t(voxel.z) * this->Size.y + voxel.y) * this->Size.x + voxel.x]);
   }
 
   Real sampleVolume(const glm::vec<3, Real>& place) const
@@ -68,8 +68,10 @@ public:
         const int up = (corner >> axis) & 1;
         const int size = this->Size[axis];
         const int i = low[axis] + up;
-        voxel[axis] =
-          axis == 2 ? (i < 0 ? 0 : i >= size ? size - 1 : i) : ((i % size) + size) % size;
+        voxel[axis] = axis == 2 ? (i < 0          ? 0
+                                      : i >= size ? size - 1
+                                                  : i)
+                                : ((i % size) + size) % size;
         part *= up ? weight[axis] : 1 - weight[axis];
       }
       sum += part * this->fetchVolume(voxel);

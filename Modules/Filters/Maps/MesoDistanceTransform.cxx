@@ -138,8 +138,10 @@ std::vector<MesoDistanceTransform::Vector> MesoDistanceTransform::FindSurface() 
     {
       for (int tile = 0; tile < 9; ++tile)
       {
-        const double x = point[0] + tile % 3 - 1;
-        const double y = point[1] + tile / 3 - 1;
+        const int column = tile % 3 - 1;
+        const int row = tile / 3 - 1;
+        const double x = point[0] + column;
+        const double y = point[1] + row;
         if (std::abs(x - 0.5) <= 1. && std::abs(y - 0.5) <= 1.)
         {
           points.push_back({ x, y, point[2] });

@@ -80,7 +80,6 @@ int Wrapped(int i, int period)
 
 MesoMeshVoxels::MesoMeshVoxels(std::array<int, 3> size, double depth)
   : Size(size)
-  , Depth(depth)
   , Spacing{ 1. / size[0], 1. / size[1], depth / size[2] }
   , Band(BandOfSamples * *std::max_element(this->Spacing.begin(), this->Spacing.end()))
   , Distances(std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]),

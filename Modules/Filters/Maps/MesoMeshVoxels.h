@@ -42,7 +42,6 @@ private:
   void AddDistances(const Triangle& triangle);
 
   const std::array<int, 3> Size;
-  const double Depth;
   const Point Spacing;
   const double Band;            ///< distances that are exact
   std::vector<float> Distances; ///< without sign

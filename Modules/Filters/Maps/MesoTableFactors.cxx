@@ -20,7 +20,7 @@ constexpr int MostIterations = 30;
 /// Tables of so few columns take less time by one pass for their Gram matrix than by several.
 constexpr Eigen::Index GramColumns = 256;
 /// Change of a singular value, relative to the largest, at which the iteration ends.
-constexpr double SettledChange = 1e-7;
+constexpr double SettledChange = 1e-5;
 constexpr std::size_t RowsPerBlock = 4096;
 
 /// Sums over blocks of rows in an order that does not depend on threads.

@@ -12,6 +12,7 @@
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
+constexpr double MostTiles = 2.;     // of coordinates that are still taken for an atlas
 constexpr double NearestTexels = 2.; // from which a sample is drawn to the chart's edge
 
 using Point2 = std::array<double, 2>;
@@ -36,17 +37,29 @@ MesoVector Unit(const MesoVector& a)
 MesoGeometryImage::MesoGeometryImage(const MesoGeometryInput& input)
   : Input(input)
 {
-  for (std::size_t i = 0; i < input.Coordinates.size(); ++i)
+  Point2 high = { 1., 1. };
+  for (const Point2& coordinate : input.Coordinates)
   {
-    for (const double coordinate : input.Coordinates[i])
+    for (int k = 0; k < 2; ++k)
     {
-      if (!(coordinate >= -1e-6 && coordinate <= 1. + 1e-6))
-      {
-        throw std::invalid_argument("texture coordinate " + std::to_string(coordinate) +
-          " of point " + std::to_string(i) +
-          " lies outside of [0, 1]: a geometry image needs an atlas there");
-      }
+      this->Low[k] = std::min(this->Low[k], coordinate[k]);
+      high[k] = std::max(high[k], coordinate[k]);
     }
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    this->Span[k] = high[k] - this->Low[k];
+    if (!(this->Span[k] <= MostTiles))
+    {
+      throw std::invalid_argument("the texture coordinates spread over " +
+        std::to_string(this->Span[k]) +
+        " tiles: a geometry image needs an atlas in [0, 1] x [0, 1]");
+    }
+  }
+  for (const Point2& coordinate : input.Coordinates)
+  {
+    this->Placed.push_back({ (coordinate[0] - this->Low[0]) / this->Span[0],
+      (coordinate[1] - this->Low[1]) / this->Span[1] });
   }
   this->PointAt.resize(input.Mesh.Vertex.size(), -1);
   for (std::size_t i = input.Mesh.Vertex.size(); i-- > 0;)
@@ -64,8 +77,8 @@ void MesoGeometryImage::FindCharts()
   std::map<std::array<double, 4>, std::vector<std::int64_t>> byCoordinates;
   const auto key = [&](std::int64_t corner)
   {
-    const Point2& a = this->Input.Coordinates[mesh.PointOf(corner)];
-    const Point2& b = this->Input.Coordinates[mesh.PointOf(MesoTriangleMesh::Next(corner))];
+    const Point2& a = this->Placed[mesh.PointOf(corner)];
+    const Point2& b = this->Placed[mesh.PointOf(MesoTriangleMesh::Next(corner))];
     const Point2& first = std::min(a, b);
     const Point2& second = std::max(a, b);
     return std::array<double, 4>{ first[0], first[1], second[0], second[1] };
@@ -110,9 +123,9 @@ void MesoGeometryImage::FindCharts()
         .first->second;
     this->ChartOf.push_back(chart);
     areas.resize(numbers.size(), 0.);
-    const Point2& origin = this->Input.Coordinates[mesh.Triangles[t][0]];
-    const Point2 a = Difference(this->Input.Coordinates[mesh.Triangles[t][1]], origin);
-    const Point2 b = Difference(this->Input.Coordinates[mesh.Triangles[t][2]], origin);
+    const Point2& origin = this->Placed[mesh.Triangles[t][0]];
+    const Point2 a = Difference(this->Placed[mesh.Triangles[t][1]], origin);
+    const Point2 b = Difference(this->Placed[mesh.Triangles[t][2]], origin);
     areas[chart] += a[0] * b[1] - a[1] * b[0];
   }
   for (const double area : areas)
@@ -137,9 +150,9 @@ double MesoGeometryImage::LengthOf(const EdgeKey& edge) const
   for (const int side : this->Cuts.at(edge))
   {
     const std::int64_t corner = this->Sides[side].Corner;
-    const Point2 step = Difference(
-      this->Input.Coordinates[this->Input.Mesh.PointOf(MesoTriangleMesh::Next(corner))],
-      this->Input.Coordinates[this->Input.Mesh.PointOf(corner)]);
+    const Point2 step =
+      Difference(this->Placed[this->Input.Mesh.PointOf(MesoTriangleMesh::Next(corner))],
+        this->Placed[this->Input.Mesh.PointOf(corner)]);
     least = std::min(least, std::max(std::abs(step[0]), std::abs(step[1])));
   }
   return least;
@@ -166,8 +179,7 @@ bool MesoGeometryImage::IsCorner(std::int64_t vertex, const std::vector<EdgeKey>
       {
         std::swap(here, there);
       }
-      ways[here].push_back(
-        Difference(this->Input.Coordinates[there], this->Input.Coordinates[here]));
+      ways[here].push_back(Difference(this->Placed[there], this->Placed[here]));
     }
   }
   if (charts[0] != charts[1])
@@ -270,19 +282,18 @@ void MesoGeometryImage::PlaceOn(
   const int least = chain.Loop ? 3 : 1;
   const int places = std::max(least, static_cast<int>(length * level.Size / StitchStep));
   const double t = side.From + along * (side.To - side.From);
-  const double place =
-    std::round(length > 0. ? t / length * places : 0.) / places * length;
-  std::size_t number = std::lower_bound(chain.Ends.begin(), chain.Ends.end(), place) -
-    chain.Ends.begin();
+  const double place = std::round(length > 0. ? t / length * places : 0.) / places * length;
+  std::size_t number =
+    std::lower_bound(chain.Ends.begin(), chain.Ends.end(), place) - chain.Ends.begin();
   number = std::min(number, chain.Ends.size() - 1);
   const double start = number > 0 ? chain.Ends[number - 1] : 0.;
   const double size = chain.Ends[number] - start;
   const double part = size > 0. ? std::clamp((place - start) / size, 0., 1.) : 0.;
   const auto& ends = chain.Edges[number];
   // From the chain alone, so that both sides of the cut get the same to the last bit.
-  level.Positions[texel] = part == 1. ? mesh.Positions[this->PointAt[ends[1]]]
-                                      : Blend(mesh.Positions[this->PointAt[ends[0]]],
-                                          mesh.Positions[this->PointAt[ends[1]]], part);
+  level.Positions[texel] = part == 1.
+    ? mesh.Positions[this->PointAt[ends[1]]]
+    : Blend(mesh.Positions[this->PointAt[ends[0]]], mesh.Positions[this->PointAt[ends[1]]], part);
   // Normal and coordinate are this side's: of the chart, and nearest where it meets itself.
   double nearest = std::numeric_limits<double>::infinity();
   const Point2 here = level.Coordinates[texel];
@@ -300,9 +311,8 @@ void MesoGeometryImage::PlaceOn(
     {
       std::swap(a, b);
     }
-    const Point2 step = Difference(this->Input.Coordinates[b], this->Input.Coordinates[a]);
-    const Point2 at = { this->Input.Coordinates[a][0] + part * step[0],
-      this->Input.Coordinates[a][1] + part * step[1] };
+    const Point2 step = Difference(this->Placed[b], this->Placed[a]);
+    const Point2 at = { this->Placed[a][0] + part * step[0], this->Placed[a][1] + part * step[1] };
     const double distance = std::hypot(at[0] - here[0], at[1] - here[1]);
     if (distance < nearest)
     {
@@ -346,9 +356,8 @@ void MesoGeometryImage::Stitch(MesoGeometryLevel& level) const
   for (std::size_t s = 0; s < this->Sides.size(); ++s)
   {
     const Side& side = this->Sides[s];
-    const Point2& a = this->Input.Coordinates[this->Input.Mesh.PointOf(side.Corner)];
-    const Point2& b =
-      this->Input.Coordinates[this->Input.Mesh.PointOf(MesoTriangleMesh::Next(side.Corner))];
+    const Point2& a = this->Placed[this->Input.Mesh.PointOf(side.Corner)];
+    const Point2& b = this->Placed[this->Input.Mesh.PointOf(MesoTriangleMesh::Next(side.Corner))];
     const Point2 step = Difference(b, a);
     const double square = step[0] * step[0] + step[1] * step[1];
     int low[2];
@@ -372,9 +381,8 @@ void MesoGeometryImage::Stitch(MesoGeometryLevel& level) const
           continue;
         }
         const Point2 from = Difference({ (column + 0.5) / n, (row + 0.5) / n }, a);
-        const double along = square > 0.
-          ? std::clamp((from[0] * step[0] + from[1] * step[1]) / square, 0., 1.)
-          : 0.;
+        const double along =
+          square > 0. ? std::clamp((from[0] * step[0] + from[1] * step[1]) / square, 0., 1.) : 0.;
         const double distance =
           n * std::hypot(from[0] - along * step[0], from[1] - along * step[1]);
         if (distance < found->second.Distance && distance <= NearestTexels)
@@ -396,8 +404,7 @@ void MesoGeometryImage::Stitch(MesoGeometryLevel& level) const
 MesoGeometryLevel MesoGeometryImage::Sample(int size) const
 {
   const MesoTriangleMesh& mesh = this->Input.Mesh;
-  const MesoTexelCover cover =
-    MesoCoverTexels(this->Input.Coordinates, mesh.Triangles, size, size);
+  const MesoTexelCover cover = MesoCoverTexels(this->Placed, mesh.Triangles, size, size);
   MesoGeometryLevel level;
   level.Size = size;
   level.Overlapping = cover.Overlapping;
@@ -418,17 +425,26 @@ MesoGeometryLevel MesoGeometryImage::Sample(int size) const
     MesoVector normal = { 0., 0., 0. };
     for (int k = 0; k < 3; ++k)
     {
-      level.Positions[texel] = MesoSum(
-        level.Positions[texel], MesoScaled(mesh.Positions[corners[k]], weights[k]));
+      level.Positions[texel] =
+        MesoSum(level.Positions[texel], MesoScaled(mesh.Positions[corners[k]], weights[k]));
       normal = MesoSum(normal, MesoScaled(this->Input.Normals[corners[k]], weights[k]));
     }
     level.Normals[texel] = Unit(normal);
-    level.Coordinates[texel] = { (double(texel % size) + 0.5) / size,
-      (double(texel / size) + 0.5) / size };
+    const std::size_t row = texel / size;
+    const std::size_t column = texel % size;
+    level.Coordinates[texel] = { (static_cast<double>(column) + 0.5) / size,
+      (static_cast<double>(row) + 0.5) / size };
     const int chart = this->ChartOf[triangle];
     level.Charts[texel] = this->Mirrored[chart] ? -1 - chart : 1 + chart;
   }
   this->Stitch(level);
+  for (Point2& coordinate : level.Coordinates)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      coordinate[k] = this->Low[k] + this->Span[k] * coordinate[k];
+    }
+  }
   return level;
 }
 
@@ -439,7 +455,8 @@ std::vector<std::int32_t> MesoGeometryImage::Triangles(const MesoGeometryLevel& 
   const auto& positions = level.Positions;
   const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c)
   {
-    if (positions[a] != positions[b] && positions[b] != positions[c] && positions[c] != positions[a])
+    if (positions[a] != positions[b] && positions[b] != positions[c] &&
+      positions[c] != positions[a])
     {
       const bool mirrored = level.Charts[a] < 0;
       triangles.insert(triangles.end(), { a, mirrored ? c : b, mirrored ? b : c });

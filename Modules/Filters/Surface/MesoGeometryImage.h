@@ -23,7 +23,7 @@
 #include <map>
 #include <vector>
 
-/// What a geometry image is made of: a normal and a coordinate in [0,1] x [0,1] a point.
+/// What a geometry image is made of: a normal and a coordinate a point.
 struct MesoGeometryInput
 {
   MesoTriangleMesh Mesh;
@@ -49,7 +49,8 @@ public:
   static constexpr double StitchStep = 2.;
   static constexpr double CornerAngle = 40.; ///< degrees
 
-  /// Throws std::invalid_argument where coordinates lie outside of [0,1] x [0,1].
+  /// The image lies over [0,1] x [0,1], or over more where coordinates go beyond it a little. Throws
+  /// std::invalid_argument where they spread over more than two tiles.
   explicit MesoGeometryImage(const MesoGeometryInput& input);
 
   int NumberOfCharts() const { return static_cast<int>(this->Mirrored.size()); }
@@ -65,8 +66,8 @@ private:
   {
     std::int64_t Corner;
     int Chart;
-    int Chain;     ///< -1: both ends are one vertex
-    double From;   ///< where it begins and ends along the chain
+    int Chain;   ///< -1: both ends are one vertex
+    double From; ///< where it begins and ends along the chain
     double To;
   };
   /// A stretch of cuts, and the edges along it.
@@ -88,9 +89,12 @@ private:
   void PlaceOn(const Side& side, double along, std::size_t texel, MesoGeometryLevel& level) const;
 
   const MesoGeometryInput& Input;
-  std::vector<int> ChartOf; ///< by triangle, from 0
+  std::array<double, 2> Low = { 0., 0. }; ///< coordinates at the image's lower left
+  std::array<double, 2> Span = { 1., 1. };
+  std::vector<std::array<double, 2>> Placed; ///< coordinates over the image
+  std::vector<int> ChartOf;                  ///< by triangle, from 0
   std::vector<bool> Mirrored;
-  std::vector<std::int64_t> PointAt; ///< by merged vertex
+  std::vector<std::int64_t> PointAt;        ///< by merged vertex
   std::map<EdgeKey, std::vector<int>> Cuts; ///< sides by edge, the lesser vertex first
   std::vector<std::vector<EdgeKey>> CutsAt; ///< by vertex
   std::vector<Side> Sides;

@@ -149,9 +149,9 @@ void MesoGridBase::FindEdges(const std::vector<std::int64_t>& vertices)
       {
         std::swap(ends[0], ends[1]);
       }
-      const auto found = numbers.emplace(
-        std::array<std::int64_t, 2>{ vertices[ends[0]], vertices[ends[1]] },
-        static_cast<std::int64_t>(this->Edges.size()));
+      const auto found =
+        numbers.emplace(std::array<std::int64_t, 2>{ vertices[ends[0]], vertices[ends[1]] },
+          static_cast<std::int64_t>(this->Edges.size()));
       if (found.second)
       {
         this->Edges.emplace_back();

@@ -103,14 +103,14 @@ public:
 private:
   struct Edge
   {
-    std::array<std::int64_t, 2> Ends = { 0, 0 };  ///< points, the one of the lesser vertex first
-    std::array<double, 2> Extent = { 0., 0. };    ///< |du|, |dv| of its longest side
+    std::array<std::int64_t, 2> Ends = { 0, 0 }; ///< points, the one of the lesser vertex first
+    std::array<double, 2> Extent = { 0., 0. };   ///< |du|, |dv| of its longest side
   };
 
   void Weld(const std::vector<std::int64_t>& vertices);
   void FindEdges(const std::vector<std::int64_t>& vertices);
-  std::int64_t SegmentsOf(const Edge& edge, const MesoGridSize& size,
-    const std::optional<MesoGridView>& view) const;
+  std::int64_t SegmentsOf(
+    const Edge& edge, const MesoGridSize& size, const std::optional<MesoGridView>& view) const;
 
   std::vector<MesoVector> Positions;
   std::vector<MesoVector> Normals;

@@ -62,8 +62,8 @@ struct Rings
   }
 
   /// v with a weight and its neighbours with another each.
-  MesoVector Blend(std::int64_t vertex, double own, const std::vector<std::int64_t>& others,
-    double other) const
+  MesoVector Blend(
+    std::int64_t vertex, double own, const std::vector<std::int64_t>& others, double other) const
   {
     MesoVector sum = MesoScaled(this->Positions[vertex], own);
     for (const std::int64_t neighbour : others)
@@ -166,8 +166,7 @@ MesoSubdividedMesh MesoSubdivide(const MesoSubdividedMesh& coarse)
       {
         const auto& first = coarse.Coordinates[a];
         const auto& second = coarse.Coordinates[b];
-        fine.Coordinates.push_back(
-          { 0.5 * (first[0] + second[0]), 0.5 * (first[1] + second[1]) });
+        fine.Coordinates.push_back({ 0.5 * (first[0] + second[0]), 0.5 * (first[1] + second[1]) });
       }
     }
     return found.first->second;

@@ -27,9 +27,7 @@ std::vector<std::int64_t> FindSites(const MesoPrismShellInput& input)
     auto& others = known[input.Mesh.Vertex[i]];
     const auto same = std::find_if(others.begin(), others.end(),
       [&](std::int64_t other)
-      {
-        return MesoLength(MesoDifference(input.Normals[other], input.Normals[i])) <= SameNormal;
-      });
+      { return MesoLength(MesoDifference(input.Normals[other], input.Normals[i])) <= SameNormal; });
     sites[i] = same == others.end() ? static_cast<std::int64_t>(i) : *same;
     if (same == others.end())
     {
@@ -233,8 +231,7 @@ double MesoLeastJacobian(const MesoPrism& prism)
   for (int k = 0; k < 3; ++k)
   {
     const MesoVector below = MesoDifference(prism.Bottom[(k + 1) % 3], prism.Bottom[k]);
-    const MesoVector above =
-      MesoSum(below, MesoDifference(prism.Rise[(k + 1) % 3], prism.Rise[k]));
+    const MesoVector above = MesoSum(below, MesoDifference(prism.Rise[(k + 1) % 3], prism.Rise[k]));
     reversed += MesoDot(below, above) <= 0. ? 1 : 0;
   }
   if (reversed == 3)
@@ -248,8 +245,8 @@ double MesoLeastJacobian(const MesoPrism& prism)
   const MesoVector g2 = MesoDifference(prism.Rise[2], prism.Rise[0]);
   const MesoVector middle =
     MesoScaled(MesoSum(prism.Rise[0], MesoSum(prism.Rise[1], prism.Rise[2])), 1. / 3.);
-  const double size = Triple(
-    MesoSum(e1, MesoScaled(g1, 0.5)), MesoSum(e2, MesoScaled(g2, 0.5)), middle);
+  const double size =
+    Triple(MesoSum(e1, MesoScaled(g1, 0.5)), MesoSum(e2, MesoScaled(g2, 0.5)), middle);
   const double sign = size < 0. ? -1. : 1.;
   if (size == 0.)
   {

@@ -39,12 +39,12 @@ struct MesoPrism
 struct MesoPrismShellInput
 {
   MesoTriangleMesh Mesh;
-  std::vector<MesoVector> Normals;                 ///< a point each, unit
-  std::vector<std::array<double, 2>> Coordinates;  ///< a point each
-  std::array<double, 2> Tiles = { 1., 1. };        ///< map coordinate = texture coordinate x tiles
-  double Thickness = 0.;                           ///< H, object units
-  double Reference = 0.;                           ///< r
-  bool Clamp = false;                              ///< make prisms thinner that would turn over
+  std::vector<MesoVector> Normals;                ///< a point each, unit
+  std::vector<std::array<double, 2>> Coordinates; ///< a point each
+  std::array<double, 2> Tiles = { 1., 1. };       ///< map coordinate = texture coordinate x tiles
+  double Thickness = 0.;                          ///< H, object units
+  double Reference = 0.;                          ///< r
+  bool Clamp = false;                             ///< make prisms thinner that would turn over
 };
 
 struct MesoPrismShell

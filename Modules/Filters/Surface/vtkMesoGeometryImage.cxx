@@ -173,7 +173,7 @@ int vtkMesoGeometryImage::RequestData(vtkInformation* vtkNotUsed(request),
   this->NumberOfOverlaps = 0;
   this->NumberOfCharts = 0;
   this->ErrorMessage = MesoFitFailure(
-    "geometry image", [&] { this->Execute(vtkPolyData::GetData(inputVector[0]), output); });
+    "geometry image", [&] { this->Make(vtkPolyData::GetData(inputVector[0]), output); });
   if (!this->ErrorMessage.empty())
   {
     output->Initialize();
@@ -182,7 +182,7 @@ int vtkMesoGeometryImage::RequestData(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
-void vtkMesoGeometryImage::Execute(vtkPolyData* input, vtkImageData* output)
+void vtkMesoGeometryImage::Make(vtkPolyData* input, vtkImageData* output)
 {
   const MesoGeometryInput mesh = ReadMesh(input);
   const MesoGeometryImage image(mesh);
@@ -218,8 +218,8 @@ void vtkMesoGeometryImage::Execute(vtkPolyData* input, vtkImageData* output)
     }
     const double place[] = { double(size), double(firstRow), 0., 0. };
     const vtkIdType number = levels->InsertNextTuple(place);
-    const auto distances = DistancesFrom(
-      vtkMesoGeometryImage::SurfaceOf(output, static_cast<int>(number)), mesh.Mesh);
+    const auto distances =
+      DistancesFrom(vtkMesoGeometryImage::SurfaceOf(output, static_cast<int>(number)), mesh.Mesh);
     levels->SetComponent(number, 2, distances[0]);
     levels->SetComponent(number, 3, distances[1]);
     firstRow += size;

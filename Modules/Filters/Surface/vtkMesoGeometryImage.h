@@ -6,7 +6,7 @@
  * @brief Make a geometry image: a mesh with an atlas as an image of its positions and normals.
  *
  * Input: vtkPolyData with point normals and texture coordinates in [0,1] x [0,1], each place of which is
- * used once. Points of equal position, or of equal `MesoVertex`, are one vertex.
+ * used once. Where they go beyond it the image lies over what they cover. Points of equal position, or of equal `MesoVertex`, are one vertex.
  *
  * Output: vtkImageData with levels of detail one above the other, each half the size of the one before
  * it, from Size down to SmallestSize or more. Level k lies in the first columns of its rows; row 0 of a
@@ -22,7 +22,7 @@
  * (MesoGeometryImage.h). Every level is sampled from the mesh.
  *
  * One vtkErrorMacro line and an empty output are given for inputs without normals or texture coordinates,
- * numbers that are not finite, coordinates outside of [0,1] and parameters out of range. An update that is
+ * numbers that are not finite, coordinates over more than two tiles and parameters out of range. An update that is
  * aborted gives an empty output.
  *
  * Sources: Gu, Gortler and Hoppe, "Geometry Images", SIGGRAPH 2002; Marschner, "Representing geometric
@@ -79,7 +79,7 @@ private:
   vtkMesoGeometryImage(const vtkMesoGeometryImage&) = delete;
   void operator=(const vtkMesoGeometryImage&) = delete;
 
-  void Execute(vtkPolyData* input, vtkImageData* output);
+  void Make(vtkPolyData* input, vtkImageData* output);
 
   int Size = 256;
   std::string ErrorMessage;

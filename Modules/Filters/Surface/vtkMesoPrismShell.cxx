@@ -20,7 +20,6 @@ vtkStandardNewMacro(vtkMesoPrismShell);
 namespace
 {
 constexpr std::size_t MostPrisms = std::size_t(1) << 24; // their numbers are floats in shaders
-constexpr int CornersOfPrism = 6;
 constexpr int TableRows = 7;
 
 MesoVector MiddleOf(const std::vector<MesoPrism>& prisms)
@@ -41,9 +40,20 @@ MesoVector MiddleOf(const std::vector<MesoPrism>& prisms)
   return MesoScaled(MesoSum(low, high), 0.5);
 }
 
+/// Heights at which each prism's triangle has points.
+std::vector<double> HeightsOf(int slices)
+{
+  std::vector<double> heights;
+  for (int i = 0; i < slices; ++i)
+  {
+    heights.push_back((i + 0.5) / slices);
+  }
+  return slices > 0 ? heights : std::vector<double>{ 0., 1. };
+}
+
 /// Points of all prisms with their arrays.
-void WritePoints(
-  const std::vector<MesoPrism>& prisms, const MesoPrismShellInput& input, int type, vtkPolyData* output)
+void WritePoints(const std::vector<MesoPrism>& prisms, const MesoPrismShellInput& input,
+  const std::vector<double>& levels, int type, vtkPolyData* output)
 {
   std::vector<MesoVector> normals;
   std::vector<std::array<double, 2>> coordinates;
@@ -51,16 +61,15 @@ void WritePoints(
   std::vector<std::array<double, 1>> heights;
   vtkNew<vtkPoints> points;
   points->SetDataType(type);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(CornersOfPrism * prisms.size()));
+  points->SetNumberOfPoints(static_cast<vtkIdType>(3 * levels.size() * prisms.size()));
   vtkIdType next = 0;
   for (std::size_t i = 0; i < prisms.size(); ++i)
   {
-    for (const double z : { 0., 1. })
+    for (const double z : levels)
     {
       for (int k = 0; k < 3; ++k)
       {
-        const MesoVector place =
-          MesoSum(prisms[i].Bottom[k], MesoScaled(prisms[i].Rise[k], z));
+        const MesoVector place = MesoSum(prisms[i].Bottom[k], MesoScaled(prisms[i].Rise[k], z));
         points->SetPoint(next++, place.data());
         normals.push_back(input.Normals[prisms[i].Points[k]]);
         coordinates.push_back(input.Coordinates[prisms[i].Points[k]]);
@@ -77,21 +86,34 @@ void WritePoints(
   data->AddArray(MesoMakeArray("MesoShellHeight", type, heights));
 }
 
+void AddFace(const MesoPrism& prism, vtkIdType a, vtkIdType b, vtkIdType c, vtkCellArray* faces)
+{
+  const vtkIdType corners[3] = { a, prism.Turned ? c : b, prism.Turned ? b : c };
+  faces->InsertNextCell(3, corners);
+}
+
+void WriteSlices(const std::vector<MesoPrism>& prisms, int slices, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> faces;
+  vtkIdType next = 0;
+  for (const MesoPrism& prism : prisms)
+  {
+    for (int i = 0; i < slices; ++i, next += 3)
+    {
+      AddFace(prism, next, next + 1, next + 2, faces);
+    }
+  }
+  output->SetPolys(faces);
+}
+
 void WriteFaces(const std::vector<MesoPrism>& prisms, vtkPolyData* output)
 {
   vtkNew<vtkCellArray> faces;
   for (std::size_t i = 0; i < prisms.size(); ++i)
   {
-    const vtkIdType first = static_cast<vtkIdType>(i) * CornersOfPrism;
+    const vtkIdType first = static_cast<vtkIdType>(i) * 6;
     const auto add = [&](int a, int b, int c)
-    {
-      vtkIdType corners[3] = { first + a, first + b, first + c };
-      if (prisms[i].Turned)
-      {
-        std::swap(corners[1], corners[2]);
-      }
-      faces->InsertNextCell(3, corners);
-    };
+    { AddFace(prisms[i], first + a, first + b, first + c, faces); };
     add(0, 2, 1);
     add(3, 4, 5);
     for (int k = 0; k < 3; ++k)
@@ -142,9 +164,8 @@ void WriteTable(
   centre->SetName("MesoPrismCentre");
   centre->SetNumberOfComponents(3);
   centre->InsertNextTuple(middle.data());
-  for (vtkDataArray* array :
-    { static_cast<vtkDataArray*>(table), static_cast<vtkDataArray*>(centre),
-      static_cast<vtkDataArray*>(triangles) })
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(table),
+         static_cast<vtkDataArray*>(centre), static_cast<vtkDataArray*>(triangles) })
   {
     output->GetFieldData()->AddArray(array);
   }
@@ -181,7 +202,8 @@ void vtkMesoPrismShell::Execute(vtkPolyData* input, vtkPolyData* output)
   {
     throw std::invalid_argument("Tiles must be more than 0");
   }
-  if (input->GetNumberOfPoints() == 0 || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  if (input->GetNumberOfPoints() == 0 ||
+    input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     return;
   }
@@ -210,8 +232,16 @@ void vtkMesoPrismShell::Execute(vtkPolyData* input, vtkPolyData* output)
   {
     return;
   }
-  WritePoints(shell.Prisms, source, input->GetPoints()->GetDataType(), output);
-  WriteFaces(shell.Prisms, output);
+  WritePoints(
+    shell.Prisms, source, HeightsOf(this->Slices), input->GetPoints()->GetDataType(), output);
+  if (this->Slices > 0)
+  {
+    WriteSlices(shell.Prisms, this->Slices, output);
+  }
+  else
+  {
+    WriteFaces(shell.Prisms, output);
+  }
   WriteTable(shell.Prisms, source, output);
 }
 
@@ -221,6 +251,7 @@ void vtkMesoPrismShell::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Thickness: " << this->Thickness << "\n";
   os << indent << "Reference: " << this->Reference << "\n";
   os << indent << "Tiles: " << this->Tiles[0] << " " << this->Tiles[1] << "\n";
+  os << indent << "Slices: " << this->Slices << "\n";
   os << indent << "ClampThickness: " << this->ClampThickness << "\n";
   os << indent << "InvertedTriangles: " << this->InvertedTriangles.size() << "\n";
   os << indent << "NumberOfDegenerateTriangles: " << this->NumberOfDegenerateTriangles << "\n";

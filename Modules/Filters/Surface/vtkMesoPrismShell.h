@@ -24,7 +24,7 @@
  *     Normals (3)             n_i, unit
  *     TextureCoordinates (2)  the mesh's own, the same below and above
  *     MesoPrism (1)           i
- *     MesoShellHeight (1)     z: 0 or 1
+ *     MesoShellHeight (1)     z: 0 or 1; of Slices, theirs
  *
  * Field data:
  *
@@ -82,6 +82,14 @@ public:
   ///@}
 
   ///@{
+  /// 0 (the default): the prisms' faces. More: in their place so many slices of each prism, at the
+  /// middles of equal parts of z, wound as the mesh (Meyer1998); prism i then has 3 Slices points and
+  /// Slices polygons, from its bottom to its top.
+  vtkSetClampMacro(Slices, int, 0, 4096);
+  vtkGetMacro(Slices, int);
+  ///@}
+
+  ///@{
   /// Make the shell thinner around prisms that turn over, until none does. Default: off.
   vtkSetMacro(ClampThickness, bool);
   vtkGetMacro(ClampThickness, bool);
@@ -119,6 +127,7 @@ private:
   double Reference = 0.;
   double Tiles[2] = { 1., 1. };
   bool ClampThickness = false;
+  int Slices = 0;
   std::string ErrorMessage;
   std::vector<vtkIdType> InvertedTriangles;
   vtkIdType NumberOfDegenerateTriangles = 0;

@@ -1,6 +1,7 @@
 #include "MesoBumpMaps.h"
 
 #include "MesoAlgorithmRun.h"
+#include "MesoBakeCache.h"
 #include "MesoScene.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -19,6 +20,7 @@
 namespace
 {
 constexpr int LargestObjectMap = 4096;
+constexpr double HorizonBaker = 1.; // grows when the filter's results change
 
 MesoNormals NormalsOfHeights(vtkImageData* heights, vtkPolyData* mesh,
   const MesoMesostructureOptions& options, const std::string& place,
@@ -132,8 +134,20 @@ vtkSmartPointer<vtkImageData> MesoMakeHorizons(vtkImageData* heights, vtkPolyDat
   scale = MesoDepthInTiles(mesh, options);
   horizons->SetScale(scale);
   horizons->SetWrap(options.Wrap);
-  MesoRunAlgorithm(horizons, place, warnings);
-  return horizons->GetOutput();
+  const std::map<std::string, MesoBakedParameter> parameters = {
+    { "baker", std::vector<double>{ HorizonBaker } },
+    { "heights", MesoContentOf(heights) },
+    { "azimuths", std::vector<double>{ double(horizons->GetAzimuths()) } },
+    { "scale", std::vector<double>{ scale } },
+    { "reach", std::vector<double>{ horizons->GetReach() } },
+    { "wrap", std::string(MesoName(options.Wrap)) },
+  };
+  const auto bake = [&]
+  {
+    MesoRunAlgorithm(horizons, place, warnings);
+    return vtkSmartPointer<vtkImageData>(horizons->GetOutput());
+  };
+  return MesoBakeOnce("horizon", parameters, bake, warnings).Table;
 }
 
 void MesoSetBumpMaps(vtkMesoBumpMapper* mapper, vtkImageData* heights, vtkPolyData* mesh,

@@ -14,7 +14,7 @@
 namespace
 {
 constexpr double BakerVersion = 1.; // grows when the same input gives other tables
-constexpr int BitsOfWhole = 8;
+constexpr int BitsOfWhole = 16;     // of 8 tile widths, 8 bits are steps of two voxels
 
 std::map<std::string, MesoBakedParameter> ParametersOf(vtkMesoGDMTable* table)
 {

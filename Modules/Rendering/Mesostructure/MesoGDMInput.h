@@ -29,7 +29,7 @@ MESORENDERINGMESOSTRUCTURE_EXPORT vtkSmartPointer<vtkImageData> MesoReadGDM(
 /**
  * The table of a canonical volume, out of the cache (MesoBakeOnce) where it is there.
  *
- * @param rank products; 0: the whole table, 8 bits a distance
+ * @param rank products; 0: the whole table, 16 bits a distance
  */
 MESORENDERINGMESOSTRUCTURE_EXPORT vtkSmartPointer<vtkImageData> MesoMakeGDM(
   vtkImageData* volume, int rank, const std::string& place, std::vector<std::string>& warnings);

@@ -4,98 +4,46 @@
 
 #include "MesoGridBase.h"
 #include "vtkOpenGLBufferObject.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 MesoGridBuffers::MesoGridBuffers() = default;
 
 MesoGridBuffers::~MesoGridBuffers() = default;
 
-std::string MesoGridBuffers::Upload(
-  int which, vtkOpenGLRenderWindow* window, const std::vector<float>& numbers, const char* what)
-{
-  int most = 0;
-  window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  const std::size_t texels = numbers.size() / 4;
-  if (texels > static_cast<std::size_t>(most))
-  {
-    return std::string(what) + " need " + std::to_string(texels) +
-      " texels of a buffer, of which this device takes " + std::to_string(most);
-  }
-  vtkTextureObject* texture = this->Textures[which];
-  const bool first = texture->GetHandle() == 0 || texture->GetContext() != window;
-  if (!this->Buffers[which]->Upload(numbers, vtkOpenGLBufferObject::TextureBuffer))
-  {
-    return std::string(what) + " could not be made a buffer";
-  }
-  // A texture follows what its buffer holds.
-  if (first)
-  {
-    texture->SetContext(window);
-    if (!texture->CreateTextureBuffer(
-          static_cast<unsigned int>(texels), 4, VTK_FLOAT, this->Buffers[which]))
-    {
-      return std::string(what) + " could not be made a texture";
-    }
-  }
-  this->Bytes[which] = numbers.size() * sizeof(float);
-  return {};
-}
-
 std::string MesoGridBuffers::SetCorners(
   vtkOpenGLRenderWindow* window, const std::vector<float>& numbers)
 {
-  return this->Upload(0, window, numbers, "the corners of the mesh");
+  return this->Corners.Upload(window, numbers, "the corners of the mesh");
 }
 
 std::string MesoGridBuffers::SetPieces(vtkOpenGLRenderWindow* window, const MesoGridPieces& pieces)
 {
-  return this->Upload(1, window, pieces.Numbers, "the grids over the mesh");
+  return this->Pieces.Upload(window, pieces.Numbers, "the grids over the mesh");
 }
 
 void MesoGridBuffers::Activate()
 {
-  for (const auto& texture : this->Textures)
-  {
-    if (texture->GetHandle() != 0)
-    {
-      texture->Activate();
-    }
-  }
+  this->Corners.Activate();
+  this->Pieces.Activate();
 }
 
 void MesoGridBuffers::SetUniforms(vtkShaderProgram* program)
 {
-  const char* const names[] = { "mesoCorners", "mesoPieces" };
-  for (int i = 0; i < 2; ++i)
-  {
-    if (program->IsUniformUsed(names[i]))
-    {
-      program->SetUniformi(names[i], this->Textures[i]->GetTextureUnit());
-    }
-  }
+  this->Corners.SetUniform(program, "mesoCorners");
+  this->Pieces.SetUniform(program, "mesoPieces");
 }
 
 void MesoGridBuffers::Deactivate()
 {
-  for (const auto& texture : this->Textures)
-  {
-    if (texture->GetHandle() != 0)
-    {
-      texture->Deactivate();
-    }
-  }
+  this->Corners.Deactivate();
+  this->Pieces.Deactivate();
 }
 
 void MesoGridBuffers::Draw(vtkShaderProgram* program, const MesoGridPieces& pieces)
 {
   if (this->Indices->GetHandle() == 0)
   {
-    const std::vector<std::uint16_t> indices = MesoGridBase::MakeIndices();
-    this->Indices->Upload(indices, vtkOpenGLBufferObject::ElementArrayBuffer);
-    this->Bytes[2] = indices.size() * sizeof(std::uint16_t);
+    this->Indices->Upload(MesoGridBase::MakeIndices(), vtkOpenGLBufferObject::ElementArrayBuffer);
   }
   this->Indices->Bind();
   for (const MesoGridPieces::Group& group : pieces.Groups)
@@ -109,11 +57,16 @@ void MesoGridBuffers::Draw(vtkShaderProgram* program, const MesoGridPieces& piec
 
 void MesoGridBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (int i = 0; i < 2; ++i)
-  {
-    this->Textures[i]->ReleaseGraphicsResources(window);
-    this->Buffers[i]->ReleaseGraphicsResources();
-  }
+  this->Corners.ReleaseGraphicsResources(window);
+  this->Pieces.ReleaseGraphicsResources(window);
   this->Indices->ReleaseGraphicsResources();
-  this->Bytes[0] = this->Bytes[1] = this->Bytes[2] = 0;
+}
+
+std::size_t MesoGridBuffers::GetGPUBytes() const
+{
+  vtkOpenGLBufferObject* indices = this->Indices;
+  const std::size_t ofIndices = indices->GetHandle() != 0
+    ? std::size_t(3) * MesoGridBase::MostRows * MesoGridBase::MostRows * sizeof(std::uint16_t)
+    : 0;
+  return this->Corners.GetGPUBytes() + this->Pieces.GetGPUBytes() + ofIndices;
 }

@@ -1,18 +1,14 @@
 #ifndef MesoGridBuffers_h
 #define MesoGridBuffers_h
 
-#include "vtkNew.h" // for the buffers
+#include "MesoBufferTexture.h"
+#include "vtkNew.h" // for the indices
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 class vtkOpenGLBufferObject;
-class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkTextureObject;
-class vtkWindow;
 struct MesoGridPieces;
 
 /**
@@ -40,16 +36,12 @@ public:
   /// Draws the pieces with the program and the vertex array that are bound.
   void Draw(vtkShaderProgram* program, const MesoGridPieces& pieces);
   void ReleaseGraphicsResources(vtkWindow* window);
-  std::size_t GetGPUBytes() const { return this->Bytes[0] + this->Bytes[1] + this->Bytes[2]; }
+  std::size_t GetGPUBytes() const;
 
 private:
-  std::string Upload(
-    int which, vtkOpenGLRenderWindow* window, const std::vector<float>& numbers, const char* what);
-
-  vtkNew<vtkOpenGLBufferObject> Buffers[2]; ///< corners, pieces
-  vtkNew<vtkTextureObject> Textures[2];
+  MesoBufferTexture Corners;
+  MesoBufferTexture Pieces;
   vtkNew<vtkOpenGLBufferObject> Indices;
-  std::size_t Bytes[3] = { 0, 0, 0 };
 };
 
 #endif

@@ -21,12 +21,12 @@ vtkSmartPointer<vtkImageData> ImageOf(vtkDataArray* table)
   const vtkIdType rows = table->GetNumberOfTuples();
   const vtkIdType width = std::min<vtkIdType>(rows, vtkIdType(RowsOfPrism) * PrismsInLine);
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(
-    static_cast<int>(width), static_cast<int>((rows + width - 1) / width), 1);
+  image->SetDimensions(static_cast<int>(width), static_cast<int>((rows + width - 1) / width), 1);
   image->AllocateScalars(VTK_FLOAT, 4);
   auto* values = static_cast<float*>(image->GetScalarPointer());
   const auto* given = static_cast<const float*>(table->GetVoidPointer(0));
-  std::fill(std::copy(given, given + 4 * rows, values), values + 4 * image->GetNumberOfPoints(), 0.f);
+  std::fill(
+    std::copy(given, given + 4 * rows, values), values + 4 * image->GetNumberOfPoints(), 0.f);
   return image;
 }
 }

@@ -8,30 +8,21 @@
 #include "MesoScalarBar.h"
 #include "MesoSceneArrays.h"
 #include "MesoSceneLights.h"
+#include "MesoSceneMapper.h"
 #include "MesoShellScene.h"
 #include "MesoSurfaceColors.h"
 #include "MesoVDMInput.h"
-#include "MesoVolumeInput.h"
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
-#include "vtkMesoBaseImage.h"
-#include "vtkMesoBumpMapper.h"
-#include "vtkMesoDisplacedMesh.h"
-#include "vtkMesoDisplacementMapper.h"
 #include "vtkMesoImageReader.h"
 #include "vtkMesoLoopSubdivision.h"
 #include "vtkMesoMeshReader.h"
-#include "vtkMesoMovedMesh.h"
-#include "vtkMesoQuadricFit.h"
-#include "vtkMesoReliefMapper.h"
+#include "vtkMesoPolyDataMapper.h"
 #include "vtkMesoShadowMapPass.h"
 #include "vtkMesoShapeSource.h"
-#include "vtkMesoShellMapper.h"
 #include "vtkMesoSurfaceFrames.h"
-#include "vtkMesoTessellatedMapper.h"
-#include "vtkMesoVDMMapper.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -43,8 +34,6 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
 namespace
 {
@@ -137,21 +126,6 @@ void CheckPolarity(const MesoSceneMap& map, vtkImageData* heights, const MesoNor
   {
     warnings.push_back(inScene + ".mesostructure: the material's normal map says that this is a " +
       (map.IsDepth ? "height_map, not a depth_map" : "depth_map, not a height_map"));
-  }
-}
-
-/// What comes with displaced geometry cannot be had apart.
-void CheckGeometryEffects(const MesoMesostructureOptions& options, const std::string& place)
-{
-  const MesoEffects effects = MesoEffectsOn(options);
-  const MesoEffects ofGeometry = { MesoEffect::Occlusion, MesoEffect::Depth,
-    MesoEffect::Silhouette };
-  if (!effects.Without({ MesoEffect::CastShadow }).Empty() && !ofGeometry.Without(effects).Empty())
-  {
-    throw MesoInputError(place + ": technique " + MesoName(options.Technique) +
-      " shows occlusion, depth and silhouette together: all of them must be among its effects, or "
-      "no "
-      "effect at all");
   }
 }
 
@@ -261,88 +235,16 @@ vtkSmartPointer<vtkPolyData> MesoSceneBuilder::MakeMesh(
   return frames->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Moved(const Object& object, const std::string& place)
-{
-  vtkNew<vtkMesoMovedMesh> moved;
-  moved->SetInputData(object.Base);
-  moved->SetDistance((1. - object.Options.Reference) * object.Options.Scale);
-  MesoRunAlgorithm(moved, place, this->Warnings);
-  return moved->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> MesoSceneBuilder::WithQuadrics(
-  vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place)
-{
-  vtkNew<vtkMesoQuadricFit> fit;
-  fit->SetInputData(mesh);
-  if (kind == MesoQuadricKind::Diagonal)
-  {
-    fit->FullOff();
-    fit->SlopesOff();
-    fit->SetRings(1);
-    fit->NormalEquationsOn();
-  }
-  MesoRunAlgorithm(fit, place, this->Warnings);
-  return fit->GetOutput();
-}
-
-vtkSmartPointer<vtkImageData> MesoSceneBuilder::MakeBaseImage(
-  vtkPolyData* mesh, const std::string& place)
-{
-  vtkNew<vtkMesoBaseImage> image;
-  image->SetInputData(mesh);
-  image->SetSizeFor(mesh);
-  MesoRunAlgorithm(image, place, this->Warnings);
-  const vtkIdType ambiguous = image->GetNumberOfAmbiguousTexels();
-  const vtkIdType covered = ambiguous + image->GetNumberOfInsideTexels();
-  if (100 * ambiguous > covered)
-  {
-    std::ostringstream warning;
-    warning << place << ": several parts of the mesh share " << 100 * ambiguous / covered
-            << " % of its texture; there the curved base is the quadric";
-    this->Warnings.push_back(warning.str());
-  }
-  return image->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> MesoSceneBuilder::Dice(
-  const Object& object, const std::optional<MesoSceneColorBy>& colorBy, const std::string& place)
-{
-  const MesoEffects effects = MesoEffectsOn(object.Options);
-  if (effects.Without({ MesoEffect::CastShadow }).Empty())
-  {
-    return object.Base;
-  }
-  CheckGeometryEffects(object.Options, place);
-  vtkNew<vtkMesoDisplacedMesh> diced;
-  diced->SetInputData(object.Base);
-  diced->SetHeightMapData(object.HeightMap);
-  diced->SetScale(object.Options.Scale);
-  diced->SetReference(object.Options.Reference);
-  diced->SetTiles(object.Options.Tiles[0], object.Options.Tiles[1]);
-  diced->SetWrap(object.Options.Wrap);
-  diced->SetFacetsPerTexel(MesoFacetsPerTexel(object.Options.Quality));
-  if (colorBy && !colorBy->IsHeight())
-  {
-    diced->AddCarriedArray(colorBy->Array);
-  }
-  diced->SetDetailNormals(effects.Has(MesoEffect::Shading));
-  MesoRunAlgorithm(diced, place, this->Warnings);
-  if (diced->GetNumberOfTornEdges() > 0)
-  {
-    std::ostringstream warning;
-    warning << place << ": the surface is torn along " << diced->GetNumberOfTornEdges()
-            << " edges of the mesh, by up to " << diced->GetLargestTear()
-            << ", where the map does not continue across a seam or normals differ";
-    this->Warnings.push_back(warning.str());
-  }
-  return diced->GetOutput();
-}
-
 void MesoSceneBuilder::AddScalars(const MesoSceneMaterial& material, const Object& object,
   const std::string& inScene, vtkRenderer* renderer)
 {
   object.Mapper->ScalarVisibilityOff();
+  if (material.ColorBy && object.Options.Technique == MesoTechnique::GeometryImage)
+  {
+    throw MesoInputError(inScene +
+      ".color_by: technique geometry-image draws positions and normals, "
+      "and has no numbers to color by");
+  }
   if (material.ColorBy)
   {
     MesoSetSurfaceColors(*material.ColorBy, object.Mesh, object.Mapper);
@@ -388,97 +290,6 @@ MesoNormals MesoSceneBuilder::ReadNormals(
   return normals;
 }
 
-void MesoSceneBuilder::MakeMapper(
-  const MesoSceneNode& node, Object& object, const MesoNormals& normals, const std::string& inScene)
-{
-  if (object.Options.Technique == MesoTechnique::Relief ||
-    MesoBendsRelief(object.Options.Technique))
-  {
-    if (object.Options.Reference != 1. && !MesoEffectsOn(object.Options).Empty())
-    {
-      object.Mesh = this->Moved(object, inScene + ".mesh");
-    }
-    if (MesoEffectsOn(object.Options).Has(MesoEffect::Curvature))
-    {
-      object.Mesh = this->WithQuadrics(object.Mesh, object.Options.Quadric, inScene + ".mesh");
-    }
-    vtkNew<vtkMesoReliefMapper> relief;
-    relief->SetHeightMap(object.HeightMap);
-    if (MesoNeedsBaseImage(object.Options))
-    {
-      relief->SetBaseImage(this->MakeBaseImage(object.Mesh, inScene + ".mesh"));
-    }
-    object.Mapper = relief;
-  }
-  else if (object.Options.Technique == MesoTechnique::Bump ||
-    object.Options.Technique == MesoTechnique::Normal ||
-    object.Options.Technique == MesoTechnique::NormalObject ||
-    object.Options.Technique == MesoTechnique::Parallax ||
-    object.Options.Technique == MesoTechnique::Horizon)
-  {
-    if (object.Options.Technique == MesoTechnique::Parallax && object.Options.Reference != 1. &&
-      MesoEffectsOn(object.Options).Has(MesoEffect::Occlusion))
-    {
-      object.Mesh = this->Moved(object, inScene + ".mesh");
-    }
-    vtkNew<vtkMesoBumpMapper> bump;
-    bump->SetOptions(object.Options);
-    MesoSetBumpMaps(
-      bump, object.HeightMap, object.Mesh, normals, inScene + ".mesostructure", this->Warnings);
-    object.Mapper = bump;
-  }
-  else if (MesoUsesVolume(object.Options.Technique) && !MesoEffectsOn(object.Options).Empty())
-  {
-    object.Mesh = MesoMakeShell(object.Base, object.Options, inScene, this->Warnings);
-    vtkNew<vtkMesoShellMapper> shell;
-    shell->SetVolume(object.Volume);
-    if (object.Options.Technique == MesoTechnique::GDM)
-    {
-      shell->SetTable(MesoMakeShellTable(
-        object.Volume, object.Options, inScene + ".mesostructure", this->Warnings));
-    }
-    object.Mapper = shell;
-  }
-  else if (object.Options.Technique == MesoTechnique::VDM)
-  {
-    if (object.Options.Reference != 1. && !MesoEffectsOn(object.Options).Empty())
-    {
-      object.Mesh = this->Moved(object, inScene + ".mesh");
-    }
-    if (MesoEffectsOn(object.Options).Has(MesoEffect::Curvature))
-    {
-      object.Mesh = this->WithQuadrics(object.Mesh, object.Options.Quadric, inScene + ".mesh");
-    }
-    vtkNew<vtkMesoVDMMapper> vdm;
-    vdm->SetOptions(object.Options);
-    vdm->SetHeightMap(object.HeightMap);
-    MesoSetVDMTable(vdm, node.Baked, object.Mesh, inScene + ".mesostructure", this->Warnings);
-    object.Mapper = vdm;
-  }
-  else if (object.Options.Technique == MesoTechnique::Displacement)
-  {
-    CheckGeometryEffects(object.Options, inScene + ".mesostructure");
-    vtkNew<vtkMesoDisplacementMapper> displacement;
-    displacement->SetHeightMap(object.HeightMap);
-    if (object.Options.Scale > 0. && MesoEffectsOn(object.Options).Has(MesoEffect::SelfShadow))
-    {
-      double scale = 0.;
-      const auto horizons = MesoMakeHorizons(object.HeightMap, object.Mesh, object.Options, scale,
-        inScene + ".mesostructure", this->Warnings);
-      displacement->SetHorizonMap(horizons, scale);
-    }
-    object.Mapper = displacement;
-  }
-  else if (object.Options.Technique == MesoTechnique::Tessellated)
-  {
-    object.Mapper = vtkSmartPointer<vtkMesoTessellatedMapper>::New();
-  }
-  else
-  {
-    object.Mapper = vtkSmartPointer<vtkMesoPolyDataMapper>::New();
-  }
-}
-
 void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node,
   const std::string& place, const std::array<double, 16>& parentMatrix, vtkRenderer* renderer)
 {
@@ -497,15 +308,18 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
       heights = this->MakeHeights(*node.Map, inScene + ".mesostructure");
       object.HeightMap = heights.Image;
     }
-    if (node.Volume && MesoUsesVolume(node.Mesostructure.Technique))
+    else if (MesoUsesHeightMap(node.Mesostructure.Technique) && !node.Baked.empty())
+    {
+      // The technique itself, or the reference, which draws what the table was baked from.
+      object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
+    }
+    if (MesoUsesVolume(node.Mesostructure.Technique))
     {
       MesoCheckShellMaterial(node.Material, inScene);
-      object.Volume =
-        MesoReadVolume(*node.Volume, inScene + ".mesostructure.volume", this->Warnings);
-    }
-    if (MesoUsesHeightMap(node.Mesostructure.Technique) && !node.Map && !node.Baked.empty())
-    {
-      object.HeightMap = MesoReadVDMHeights(node.Baked, inScene + ".mesostructure.baked");
+      const MesoShellVolume read =
+        MesoReadShellVolume(node, inScene + ".mesostructure", this->Warnings);
+      object.Volume = read.Volume;
+      object.VolumeTable = read.Table;
     }
     object.Base = this->MakeMesh(node, inScene + ".mesh", object.HeightMap,
       node.Mesostructure.Technique != MesoTechnique::Plain ||
@@ -535,24 +349,12 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       this->Warnings.push_back(inScene + ".mesostructure: scale is 0, so the relief is flat");
     }
-    this->MakeMapper(node, object, normals, inScene);
-    object.Mapper->SetOptions(node.Mesostructure);
-    object.Mapper->SetInputData(technique == MesoTechnique::Tessellated
-        ? this->Dice(object, node.Material.ColorBy, inScene + ".mesostructure")
-        : object.Mesh);
+    MesoMakeSceneMapper(node, object, normals, inScene, this->Warnings);
     if (normals.Image)
     {
       object.Mapper->SetNormalMap(normals.Image, normals.Meaning);
     }
     object.Mapper->SetMapNumbers(heights.Numbers[0], heights.Numbers[1]);
-    if (auto* relief = vtkMesoReliefMapper::SafeDownCast(object.Mapper))
-    {
-      const std::string problem = relief->Prepare();
-      if (!problem.empty())
-      {
-        throw MesoInputError(inScene + ".mesostructure: " + problem);
-      }
-    }
     for (const MesoSceneClippingPlane& clip : scene.ClippingPlanes)
     {
       vtkNew<vtkPlane> plane;

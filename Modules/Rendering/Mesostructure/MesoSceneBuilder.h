@@ -39,11 +39,13 @@ public:
     std::string Name;
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkMesoPolyDataMapper> Mapper;
-    vtkSmartPointer<vtkPolyData> Base;       ///< with its frames
-    vtkSmartPointer<vtkPolyData> Mesh; ///< the base where height 1 lies: p + (1 - r) D n; or its shell
-    vtkSmartPointer<vtkImageData> HeightMap; ///< null without one
-    vtkSmartPointer<vtkImageData> Volume;    ///< canonical, of techniques that draw one; or null
-    vtkSmartPointer<vtkImageData> NormalMap; ///< given to be shown in place of any other; or null
+    vtkSmartPointer<vtkPolyData> Base; ///< with its frames
+    vtkSmartPointer<vtkPolyData>
+      Mesh; ///< the base where height 1 lies: p + (1 - r) D n; or its shell
+    vtkSmartPointer<vtkImageData> HeightMap;   ///< null without one
+    vtkSmartPointer<vtkImageData> Volume;      ///< canonical, of techniques that draw one; or null
+    vtkSmartPointer<vtkImageData> VolumeTable; ///< of gdm: distances through the volume; or null
+    vtkSmartPointer<vtkImageData> NormalMap;   ///< given to be shown in place of any other; or null
     MesoNormalMapMeaning NormalMeaning;
     MesoMesostructureOptions Options;
   };
@@ -60,9 +62,6 @@ private:
     const std::array<double, 16>& parentMatrix, vtkRenderer* renderer);
   /// The material's normal map, where it is shown; none where it is not.
   MesoNormals ReadNormals(const MesoSceneNode& node, Object& object, const std::string& inScene);
-  /// The technique's mapper with its maps, and the mesh that it draws.
-  void MakeMapper(const MesoSceneNode& node, Object& object, const MesoNormals& normals,
-    const std::string& inScene);
   /// Colours, contour lines and a scalar bar of the object's numbers.
   void AddScalars(const MesoSceneMaterial& material, const Object& object,
     const std::string& inScene, vtkRenderer* renderer);
@@ -70,15 +69,6 @@ private:
   MesoHeights MakeHeights(const MesoSceneMap& map, const std::string& place);
   vtkSmartPointer<vtkPolyData> MakeMesh(
     const MesoSceneNode& node, const std::string& place, vtkImageData* heights, bool needsFrames);
-  /// The base moved outward to where height 1 lies, with frames fitted there.
-  vtkSmartPointer<vtkPolyData> Moved(const Object& object, const std::string& place);
-  vtkSmartPointer<vtkPolyData> WithQuadrics(
-    vtkPolyData* mesh, MesoQuadricKind kind, const std::string& place);
-  vtkSmartPointer<vtkImageData> MakeBaseImage(vtkPolyData* mesh, const std::string& place);
-
-  /// The object's mesh as the technique tessellated draws it.
-  vtkSmartPointer<vtkPolyData> Dice(
-    const Object& object, const std::optional<MesoSceneColorBy>& colorBy, const std::string& place);
 
   std::vector<Object> Objects;
   std::vector<std::string> Warnings;

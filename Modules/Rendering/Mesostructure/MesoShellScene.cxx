@@ -3,6 +3,7 @@
 #include "MesoAlgorithmRun.h"
 #include "MesoGDMInput.h"
 #include "MesoScene.h"
+#include "MesoVolumeInput.h"
 #include "vtkImageData.h"
 #include "vtkMesoPrismShell.h"
 #include "vtkNew.h"
@@ -26,7 +27,7 @@ std::string FirstOf(const std::vector<vtkIdType>& numbers)
 }
 }
 
-vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
+vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volume,
   const MesoMesostructureOptions& options, const std::string& inScene,
   std::vector<std::string>& warnings)
 {
@@ -50,6 +51,11 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
   shell->SetThickness(options.Scale);
   shell->SetReference(options.Reference);
   shell->SetTiles(options.Tiles[0], options.Tiles[1]);
+  if (options.Technique == MesoTechnique::Slices)
+  {
+    const double slices = volume->GetDimensions()[2] * MesoFacetsPerTexel(options.Quality);
+    shell->SetSlices(std::max(1, static_cast<int>(slices)));
+  }
   MesoRunAlgorithm(shell, inScene + ".mesh", warnings);
   const std::vector<vtkIdType>& inverted = shell->GetInvertedTriangles();
   if (!inverted.empty())
@@ -64,13 +70,26 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
   return shell->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> MesoMakeShellTable(vtkImageData* volume,
-  const MesoMesostructureOptions& options, const std::string& place,
-  std::vector<std::string>& warnings)
+MesoShellVolume MesoReadShellVolume(
+  const MesoSceneNode& node, const std::string& place, std::vector<std::string>& warnings)
 {
-  constexpr int ordinaryRank = 16;
-  const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
-  return MesoMakeGDM(volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+  const MesoMesostructureOptions& options = node.Mesostructure;
+  MesoShellVolume result;
+  if (!node.Baked.empty())
+  {
+    result.Table = MesoReadGDM(node.Baked, place + ".baked");
+    result.Volume = MesoVolumeOfGDM(result.Table);
+    return result;
+  }
+  result.Volume = MesoReadVolume(*node.Volume, place + ".volume", warnings);
+  if (options.Technique == MesoTechnique::GDM)
+  {
+    constexpr int ordinaryRank = 16;
+    const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
+    result.Table =
+      MesoMakeGDM(result.Volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+  }
+  return result;
 }
 
 void MesoCheckShellMaterial(const MesoSceneMaterial& material, const std::string& inScene)

@@ -15,22 +15,31 @@
 class vtkImageData;
 class vtkPolyData;
 struct MesoSceneMaterial;
+struct MesoSceneNode;
 
 /**
- * The shell over a node's mesh (vtkMesoPrismShell), as thick as the options' Scale. Prisms that turn over
+ * The shell over a node's mesh (vtkMesoPrismShell), as thick as the options' Scale; of the technique Slices,
+ * cut into 1/4, 1/2, 1 or 2 slices for each of the volume's, as the quality says. Prisms that turn over
  * are warned of. Throws MesoInputError where there is no such shell, or where the options' effects are
  * such that are only shown together.
  *
  * @param inScene "file: nodes[i]", for messages
  */
-vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base,
+vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volume,
   const MesoMesostructureOptions& options, const std::string& inScene,
   std::vector<std::string>& warnings);
 
-/// The volume's table of distances (MesoMakeGDM), whole at the quality Full. Throws as that does.
-vtkSmartPointer<vtkImageData> MesoMakeShellTable(vtkImageData* volume,
-  const MesoMesostructureOptions& options, const std::string& place,
-  std::vector<std::string>& warnings);
+/// A node's canonical volume, and its table of distances where the technique looks them up.
+struct MesoShellVolume
+{
+  vtkSmartPointer<vtkImageData> Volume;
+  vtkSmartPointer<vtkImageData> Table; ///< null: the technique has no use for it
+};
+
+/// Reads the volume and makes its table (of gdm: whole at the quality Full), or reads a baked table,
+/// which has its volume in it. Throws MesoInputError "place...: reason".
+MesoShellVolume MesoReadShellVolume(
+  const MesoSceneNode& node, const std::string& place, std::vector<std::string>& warnings);
 
 /// Throws MesoInputError for what a material says that no volume is drawn with.
 void MesoCheckShellMaterial(const MesoSceneMaterial& material, const std::string& inScene);

@@ -59,25 +59,35 @@ MesoShaderShape MesoShellShader::GetShape() const
   shape.WritesDepth = true;
   shape.Attributes = { { "mesoPrism", "MesoPrism" } };
   shape.Chunks = { "Common/VolumeAccess.glsl", "Kernels/Prism.glsl", "Kernels/Volume.glsl",
-    "Common/PrismAccess.glsl", "Common/PrismShell.glsl" };
-  shape.Defines = { { "MESO_SEGMENTS", std::to_string(std::max(this->Options.Segments, 1)) } };
+    "Common/PrismAccess.glsl", "Common/PrismMatter.glsl" };
+  const auto add = [&](const std::initializer_list<const char*>& chunks)
+  { shape.Chunks.insert(shape.Chunks.end(), chunks.begin(), chunks.end()); };
+  const auto define = [&](const char* name, const std::string& value)
+  { shape.Defines.emplace_back(name, value); };
   if (this->UsesTable())
   {
     const int groups = this->Table.GetGroups();
-    shape.Defines.emplace_back("MESO_GDM_GROUPS", std::to_string(groups));
-    shape.Defines.emplace_back("MESO_CORRECTIONS", CorrectionsOf(this->Options.Quality));
-    shape.Chunks.insert(shape.Chunks.end(),
-      { "Common/GDMAccess.glsl",
-        groups > 0 ? "Common/GDMFactorsAccess.glsl" : "Common/GDMWholeAccess.glsl",
-        "Kernels/GDMTable.glsl", groups > 0 ? "Kernels/GDMFactors.glsl" : "Kernels/GDMWhole.glsl",
-        "Techniques/GDM.glsl" });
+    define("MESO_GDM_GROUPS", std::to_string(groups));
+    define("MESO_CORRECTIONS", CorrectionsOf(this->Options.Quality));
+    add({ "Common/GDMAccess.glsl",
+      groups > 0 ? "Common/GDMFactorsAccess.glsl" : "Common/GDMWholeAccess.glsl",
+      "Kernels/GDMTable.glsl", groups > 0 ? "Kernels/GDMFactors.glsl" : "Kernels/GDMWhole.glsl" });
   }
   else
   {
     const Steps steps = StepsOf(this->Options.Quality);
-    shape.Defines.emplace_back("MESO_LEAST_STEP", steps.Least);
-    shape.Defines.emplace_back("MESO_MOST_STEPS", steps.Most);
-    shape.Chunks.emplace_back("Techniques/ShellSDF.glsl");
+    define("MESO_LEAST_STEP", steps.Least);
+    define("MESO_MOST_STEPS", steps.Most);
+  }
+  if (this->Options.Technique == MesoTechnique::Slices)
+  {
+    add({ "Techniques/Slices.glsl" });
+  }
+  else
+  {
+    define("MESO_SEGMENTS", std::to_string(std::max(this->Options.Segments, 1)));
+    add({ "Common/PrismShell.glsl",
+      this->UsesTable() ? "Techniques/GDM.glsl" : "Techniques/ShellSDF.glsl" });
   }
   const std::pair<MesoEffect, const char*> names[] = { { MesoEffect::Shading, "MESO_SHADING" },
     { MesoEffect::Occlusion, "MESO_OCCLUSION" }, { MesoEffect::SelfShadow, "MESO_SELF_SHADOW" },

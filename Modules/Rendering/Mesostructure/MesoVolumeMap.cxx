@@ -1,22 +1,12 @@
 #include "MesoVolumeMap.h"
 
+#include "MesoVolume.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-
-namespace
-{
-vtkDataArray* DepthOf(vtkImageData* volume)
-{
-  vtkDataArray* depth = volume->GetFieldData()->GetArray("MesoVolumeDepth");
-  return depth && depth->GetNumberOfValues() == 1 && depth->GetComponent(0, 0) > 0. ? depth
-                                                                                     : nullptr;
-}
-}
 
 MesoVolumeMap::MesoVolumeMap()
   : MesoMapTexture(1)
@@ -25,13 +15,12 @@ MesoVolumeMap::MesoVolumeMap()
 
 std::string MesoVolumeMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
 {
-  vtkDataArray* distances = this->GetImage()->GetPointData()->GetArray("MesoSignedDistance");
-  if (!distances || distances->GetDataType() != VTK_FLOAT ||
-    distances->GetNumberOfComponents() != 1 || !DepthOf(this->GetImage()))
+  const std::string problem = MesoVolumeProblem(this->GetImage());
+  if (!problem.empty())
   {
-    return "the volume must have the arrays MesoSignedDistance, one component of float a voxel, and "
-           "MesoVolumeDepth";
+    return problem;
   }
+  vtkDataArray* distances = this->GetImage()->GetPointData()->GetArray("MesoSignedDistance");
   int size[3];
   this->GetImage()->GetDimensions(size);
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
@@ -39,8 +28,8 @@ std::string MesoVolumeMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
   {
     if (size[axis] > limit)
     {
-      return "the volume has " + std::to_string(size[axis]) + " voxels in a row, and this device takes " +
-        std::to_string(limit);
+      return "the volume has " + std::to_string(size[axis]) +
+        " voxels in a row, and this device takes " + std::to_string(limit);
     }
   }
   vtkTextureObject* texture = this->Texture();
@@ -65,7 +54,6 @@ void MesoVolumeMap::SetUniforms(vtkShaderProgram* program)
 {
   if (this->SetSampler(program, "mesoVolume") && program->IsUniformUsed("mesoVolumeDepth"))
   {
-    program->SetUniformf(
-      "mesoVolumeDepth", static_cast<float>(DepthOf(this->GetImage())->GetComponent(0, 0)));
+    program->SetUniformf("mesoVolumeDepth", static_cast<float>(MesoVolumeDepth(this->GetImage())));
   }
 }

@@ -1,27 +1,19 @@
-#include "vtk_glew.h" // must come first
-
 #include "vtkMesoDisplacementMapper.h"
 
+#include "MesoActorView.h"
 #include "MesoDisplacementShader.h"
 #include "MesoGridBase.h"
 #include "MesoGridBuffers.h"
-#include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
-#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <stdexcept>
@@ -108,12 +100,6 @@ void vtkMesoDisplacementMapper::OptionsChanged()
   MesoMesostructureOptions options = this->GetOptions();
   options.Technique = MesoTechnique::Displacement; // whose effects "auto" means
   this->Displacement->SetOptions(options);
-}
-
-bool vtkMesoDisplacementMapper::DrawsGrids(vtkActor* actor)
-{
-  return this->GetWhyPlain().empty() && this->Displacement->GetShape().Diced &&
-    !this->PointPicking && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 
 std::string vtkMesoDisplacementMapper::UpdateBase()
@@ -218,19 +204,7 @@ std::string vtkMesoDisplacementMapper::UpdatePieces(vtkRenderer* renderer, vtkAc
   size.FacetPixels = options.FacetPixels.value_or(MesoFacetPixels(options.Quality));
   size.Reach = options.Scale;
 
-  int viewport[4];
-  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  vtkNew<vtkMatrix4x4> modelToView;
-  vtkMatrix4x4::Multiply4x4(
-    camera->GetModelViewTransformMatrix(), actor->GetMatrix(), modelToView);
-  vtkMatrix4x4* projection =
-    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1., 1.);
-  MesoGridView view;
-  std::copy_n(modelToView->GetData(), 16, view.ModelToView.begin());
-  std::copy_n(projection->GetData(), 16, view.Projection.begin());
-  view.Near = camera->GetClippingRange()[0];
-  view.Height = viewport[3];
+  const MesoGridView view = MesoViewOfActor(renderer, actor);
   try
   {
     grids.Pieces = grids.Base->PiecesFor(size, &view);
@@ -248,7 +222,7 @@ void vtkMesoDisplacementMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor
 {
   this->Displacement->SetFailure(this->UpdateBase());
   this->Superclass::RenderPieceStart(renderer, actor);
-  if (!this->DrawsGrids(actor))
+  if (!this->PlacesVertices(actor))
   {
     this->Inside->Pieces = {};
     return;
@@ -256,8 +230,7 @@ void vtkMesoDisplacementMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor
   using Extra = MesoDisplacementShader::Extra;
   const bool coordinates = this->InterpolateScalarsBeforeMapping && this->ColorCoordinates;
   const bool colors = !coordinates && this->VBOs->GetNumberOfComponents("scalarColor") != 0;
-  const Extra extra =
-    coordinates ? Extra::Coordinates : (colors ? Extra::Colors : Extra::Nothing);
+  const Extra extra = coordinates ? Extra::Coordinates : (colors ? Extra::Colors : Extra::Nothing);
   if (extra != this->Displacement->GetExtra())
   {
     this->Displacement->SetExtra(extra);
@@ -279,24 +252,14 @@ void vtkMesoDisplacementMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor
 
 void vtkMesoDisplacementMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (!this->DrawsGrids(actor))
+  if (!this->PlacesVertices(actor))
   {
     this->Superclass::RenderPieceDraw(renderer, actor);
     return;
   }
-  // Polygons and strips are one list of triangles here; the first of the two that there is lends its
-  // shader.
-  this->DrawingVertices = false;
-  this->DrawingSelection = false;
-  for (const int kind : { PrimitiveTris, PrimitiveTriStrips })
+  if (!this->Inside->Pieces.Groups.empty() && this->ReadyToPlaceVertices(renderer, actor))
   {
-    vtkOpenGLHelper& helper = this->Primitives[kind];
-    if (helper.IBO->IndexCount > 0)
-    {
-      this->UpdateShaders(helper, renderer, actor);
-      this->Inside->Buffers.Draw(helper.Program, this->Inside->Pieces);
-      return;
-    }
+    this->Inside->Buffers.Draw(this->LastBoundBO->Program, this->Inside->Pieces);
   }
 }
 

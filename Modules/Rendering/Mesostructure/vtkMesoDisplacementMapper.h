@@ -89,8 +89,6 @@ private:
 
   struct Grids;
 
-  /// Whether this frame is drawn as grids.
-  bool DrawsGrids(vtkActor* actor);
   /// Follows the input; returns why that failed, or an empty text.
   std::string UpdateBase();
   std::string UpdateCorners(vtkOpenGLRenderWindow* window);

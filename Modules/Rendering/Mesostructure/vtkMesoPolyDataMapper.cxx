@@ -297,7 +297,7 @@ void vtkMesoPolyDataMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   }
   // The same in all passes of a frame with shadows, so that none undoes another's. A technique that
   // places the vertices reads no attributes.
-  if (shape.Diced)
+  if (this->PlacesVertices(actor))
   {
     this->Attributes->Clear(this);
   }
@@ -394,8 +394,7 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
     (shape.Traces || aov || this->HeightColorsReady || this->DrawsContours(shape) ||
       takesShadows) &&
     points->GetNormals() && (points->GetTCoords() || !shape.Traces);
-  build.Diced = triangles && !this->PointPicking && shape.Diced &&
-    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  build.Diced = triangles && this->PlacesVertices(actor);
   build.Surface = build.Surface && build.Diced == shape.Diced;
   build.HeightColored = build.Surface && this->HeightColorsReady && !build.Caster;
   build.Contoured = build.Surface && this->DrawsContours(shape) && !build.Caster;
@@ -420,6 +419,30 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.TextureMoved = keys && keys->Has(vtkProp::GeneralTextureTransform());
   build.Define(shape);
   return build;
+}
+
+bool vtkMesoPolyDataMapper::PlacesVertices(vtkActor* actor)
+{
+  return this->WhyPlain.empty() && this->GetTechnique()->GetShape().Diced && !this->PointPicking &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+}
+
+bool vtkMesoPolyDataMapper::ReadyToPlaceVertices(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->DrawingVertices = false;
+  this->DrawingSelection = false;
+  // What is drawn stands for polygons and strips alike; the first of the two that there is lends its
+  // shader.
+  for (const int kind : { PrimitiveTris, PrimitiveTriStrips })
+  {
+    vtkOpenGLHelper& helper = this->Primitives[kind];
+    if (helper.IBO->IndexCount > 0)
+    {
+      this->UpdateShaders(helper, renderer, actor);
+      return helper.Program != nullptr;
+    }
+  }
+  return false;
 }
 
 bool vtkMesoPolyDataMapper::GetNeedToRebuildShaders(

@@ -160,6 +160,13 @@ protected:
   virtual MesoTechniqueShader* GetTechnique();
   /// Called after the options have changed.
   virtual void OptionsChanged() {}
+  ///@{
+  /// For classes whose vertex stage places the vertices (MesoShaderShape::Diced): whether it does so in
+  /// this frame, and making the program ready that does; it is LastBoundBO's. False where there is nothing
+  /// to draw.
+  bool PlacesVertices(vtkActor* actor);
+  bool ReadyToPlaceVertices(vtkRenderer* renderer, vtkActor* actor);
+  ///@}
   /// Bytes of the GPU that a class takes for geometry of its own.
   virtual std::size_t GetGeometryBytes() const { return 0; }
   /// The technique that this class draws with some options.

@@ -112,8 +112,9 @@ void vtkMesoShellMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor
 {
   this->Shell->SetShell(this->CurrentInput);
   this->Superclass::RenderPieceStart(renderer, actor);
-  // Backs of faces answer for rays that start within a prism, and only for those.
-  if (ReachesNearPlane(renderer, actor))
+  // Backs of faces answer for rays that start within a prism, and only for those. Slices have no backs.
+  const bool sliced = this->GetOptions().Technique == MesoTechnique::Slices;
+  if (sliced || ReachesNearPlane(renderer, actor))
   {
     StateOf(renderer)->vtkglDisable(GL_CULL_FACE);
   }

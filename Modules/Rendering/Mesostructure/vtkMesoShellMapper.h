@@ -11,9 +11,11 @@
  *
  * The options' Technique says how the volume is searched:
  *
- * - ShellSDF: along its signed distance, by steps as long as that is (Hart1996). The quality says how
+ * - ShellSDF: along its signed distance, by steps as long as that is (sphere tracing). The quality says how
  *   short the shortest steps are: 1, 1/2, 1/4, 1/8 voxel.
  *
+ * - Slices: not at all; the input is a stack of slices of each prism (vtkMesoPrismShell's Slices), and what
+ *   of them lies in matter is drawn, from both sides (Meyer1998).
  * - GDM: by one look-up of the distance to matter in a Table of it (vtkMesoGDMTable) for each piece of a
  *   ray's way, and one for each light. The quality Full is a whole table.
  *
@@ -25,7 +27,7 @@
  * The options' Scale is the shell's thickness, which the input has already; Effects other than shading,
  * self-shadow and those of shadow maps are shown together or not at all.
  *
- * Sources: Wang et al., "Generalized Displacement Maps", EGSR 2004; Hart, "Sphere Tracing", 1996.
+ * Sources: Wang et al., "Generalized Displacement Maps", EGSR 2004; for sphere tracing Hart1996 of Documentation/Techniques/References.md.
  *
  * @sa vtkMesoPrismShell, vtkMesoPolyDataMapper
  */

@@ -362,8 +362,8 @@ bool MesoTruePrism::Find(const glm::dvec3& point, glm::dvec3& place) const
 }
 
 bool MesoFirstInPrism(const MesoTruePrism& prism, const MesoVolumeTruth& volume,
-  const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax, MesoPrismHit& hit,
-  MesoSolverWork& work)
+  const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax,
+  MesoPrismHit& hit, MesoSolverWork& work)
 {
   ++work.Blocks;
   std::vector<Crossing> crossings;

@@ -27,7 +27,10 @@ public:
   explicit MesoVolumeTruth(vtkImageData* volume);
 
   const MesoVolumeField& Field() const { return this->Samples; }
-  double At(const glm::dvec3& place) const { return this->Samples.At({ place.x, place.y, place.z }); }
+  double At(const glm::dvec3& place) const
+  {
+    return this->Samples.At({ place.x, place.y, place.z });
+  }
   /// Of the interpolant itself, over texture space.
   glm::dvec3 Gradient(const glm::dvec3& place) const;
   /// Central differences of one voxel.

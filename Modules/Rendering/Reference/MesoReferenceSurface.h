@@ -36,8 +36,8 @@ struct MesoReferenceHit
   double T = 0.; ///< along the ray
   double X = 0.; ///< in the patch
   double Y = 0.;
-  double Z = 0.; ///< height in the prism, of volumes
-  int Cut = -1;  ///< of volumes: MesoPrismHit
+  double Z = 0.;       ///< height in the prism, of volumes
+  int Cut = -1;        ///< of volumes: MesoPrismHit
   bool OnBase = false; ///< the base itself, of a displaced surface, seen from behind
   bool Behind = false; ///< seen from behind
 };
@@ -119,7 +119,7 @@ private:
   glm::dmat4 Matrix = glm::dmat4(1.);
   glm::dmat4 Inverse = glm::dmat4(1.);
   bool Mirrored = false;
-  std::shared_ptr<const MesoHeightPyramid> Map;  ///< null where not displaced
+  std::shared_ptr<const MesoHeightPyramid> Map; ///< null where not displaced
   std::unique_ptr<const MesoReferenceShell> Shell;
   std::optional<MesoReferenceNormals> NormalMap; ///< given in place of the surface's own normals
   std::optional<MesoShape> Shape;                ///< the base's closed form, where it is smooth

@@ -1,0 +1,73 @@
+// What techniques that draw matter in prisms share once they have met it: its normals, and what light it
+// blocks (Wang2004, section 3.2). Stands on Common/PrismAccess. The technique itself defines the functions
+// that are declared here.
+
+// Change of the distance to matter over texture space, for shading, and that of the very voxel.
+vec3 matterGradient(vec3 place);
+vec3 facetGradient(vec3 place);
+// Whether matter lies on the straight way from a place on its surface.
+bool matterBlocks(vec3 from, vec3 span, out int fetches);
+
+// Light that runs further than this many tiles along the shell before it leaves it is not followed on: the
+// straight way in texture space stands for the curved one only near by.
+const float MESO_MAX_SHADOW_TILES = 4.0;
+
+Prism mesoPrism;
+PrismChart mesoChart;
+vec3 mesoPlace; // (b1, b2, z) of the hit
+bool mesoAtCut; // the hit lies where the shell ends
+
+// Normals of matter's own surface at the hit.
+void takeMatterNormals(MesoFragment f, inout MesoSurfaceHit hit)
+{
+  vec3 place = chartPlace(mesoChart, mesoPlace);
+  hit.NormalVC = viewNormal(prismNormal(mesoPrism, mesoPlace, vec3(0.0, 0.0, 1.0)), f.ViewVC);
+  hit.FacetNormalVC = hit.NormalVC;
+#ifdef MESO_SHADING
+  hit.NormalVC = viewNormal(
+    prismNormal(mesoPrism, mesoPlace, chartGradient(mesoChart, matterGradient(place))), f.ViewVC);
+  hit.Fetches += 6;
+  hit.TexelReads += 48;
+#endif
+#if defined(MESO_SELF_SHADOW) || defined(MESO_AOV) || defined(MESO_DIFFERENTIAL)
+  hit.FacetNormalVC = viewNormal(
+    prismNormal(mesoPrism, mesoPlace, chartGradient(mesoChart, facetGradient(place))), f.ViewVC);
+#endif
+#ifdef MESO_SELF_SHADOW
+  hit.Fetches += 1;
+  hit.TexelReads += 8;
+#endif
+}
+
+// The way of light in texture space is taken as straight, as over a flat base (Wang2004, section 3.2).
+float blockedFraction(
+  MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
+{
+  fetches = 0;
+  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
+  {
+    return 1.0;
+  }
+#ifdef MESO_SELF_SHADOW
+  if (mesoAtCut)
+  {
+    return 0.0; // light leaves the shell here
+  }
+  vec3 way = chartWay(mesoChart, prismRates(mesoPrism, mesoPlace, mesoViewToModel * lightOutVC));
+  float reach = lightDistance;
+  if (way.z != 0.0)
+  {
+    reach = min(reach, ((way.z > 0.0 ? 1.0 : 0.0) - mesoPlace.z) / way.z);
+  }
+  float along = length(way.xy);
+  if (along * reach > MESO_MAX_SHADOW_TILES)
+  {
+    reach = MESO_MAX_SHADOW_TILES / along;
+  }
+  if (reach > 0.0 && matterBlocks(chartPlace(mesoChart, mesoPlace), reach * way, fetches))
+  {
+    return 1.0;
+  }
+#endif
+  return 0.0;
+}
