@@ -118,15 +118,6 @@ float vdmCurvaturePlace(VDMLayout table, float c)
   return clamp(part, 0.0, 1.0) * float(table.Curvatures - 1);
 }
 
-float vdmCurvatureAt(VDMLayout table, float place)
-{
-  if (table.Curvatures < 2)
-  {
-    return table.FirstCurvature;
-  }
-  return mix(table.FirstCurvature, table.LastCurvature, place / float(table.Curvatures - 1));
-}
-
 // The same for polar angles, but not ended by them.
 float vdmOpenPolarPlace(VDMLayout table, float polar)
 {
