@@ -436,7 +436,8 @@ MesoSearch MesoSearchOf(const MesoMesostructureOptions& options)
 std::string MesoSearchProblem(const MesoMesostructureOptions& options)
 {
   const bool certified = options.Quality == MesoQuality::Certified;
-  if (options.Quality == MesoQuality::Full && options.Technique != MesoTechnique::VDM)
+  if (options.Quality == MesoQuality::Full && options.Technique != MesoTechnique::VDM &&
+    options.Technique != MesoTechnique::GDM)
   {
     return std::string("technique ") + MesoName(options.Technique) +
       " has no quality full: it has no table";
