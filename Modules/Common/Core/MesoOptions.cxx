@@ -15,8 +15,10 @@ constexpr Entry<MesoTechnique> Techniques[] = { { MesoTechnique::Plain, "plain" 
   { MesoTechnique::Horizon, "horizon" }, { MesoTechnique::Relief, "relief" },
   { MesoTechnique::ReliefQuadric, "relief-quadric" },
   { MesoTechnique::ReliefQuadricExact, "relief-quadric-exact" }, { MesoTechnique::VDM, "vdm" },
-  { MesoTechnique::GDM, "gdm" }, { MesoTechnique::ShellSDF, "shell-sdf" },
-  { MesoTechnique::Displacement, "displacement" }, { MesoTechnique::Tessellated, "tessellated" } };
+  { MesoTechnique::GDM, "gdm" }, { MesoTechnique::Slices, "slices" },
+  { MesoTechnique::ShellSDF, "shell-sdf" }, { MesoTechnique::Displacement, "displacement" },
+  { MesoTechnique::GeometryImage, "geometry-image" },
+  { MesoTechnique::Tessellated, "tessellated" } };
 constexpr Entry<MesoQuality> Qualities[] = { { MesoQuality::Draft, "draft" },
   { MesoQuality::Low, "low" }, { MesoQuality::Medium, "medium" }, { MesoQuality::High, "high" },
   { MesoQuality::Certified, "certified" }, { MesoQuality::Full, "full" } };
@@ -394,6 +396,7 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
     case MesoTechnique::GDM:
+    case MesoTechnique::Slices:
     case MesoTechnique::ShellSDF:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow,
@@ -401,6 +404,8 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::Displacement:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::Silhouette, MesoEffect::Curvature, MesoEffect::CastShadow };
+    case MesoTechnique::GeometryImage:
+      return { MesoEffect::Shading, MesoEffect::CastShadow };
     case MesoTechnique::Tessellated:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::Depth,
         MesoEffect::Silhouette, MesoEffect::CastShadow };
