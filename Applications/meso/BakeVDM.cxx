@@ -39,6 +39,7 @@ void AddChoice(CLI::App& command, const std::string& option, T& target,
   const std::map<std::string, T>& names, const std::string& what)
 {
   std::vector<std::string> words;
+  words.reserve(names.size());
   for (const auto& [name, value] : names)
   {
     words.push_back(name);

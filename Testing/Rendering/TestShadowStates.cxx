@@ -316,3 +316,57 @@ TEST_F(Switched, OtherMappersAndMaterialsTakeShadows)
     EXPECT_GT(Changed(shadowed, bare), 300) << own;
   }
 }
+
+namespace
+{
+/// Techniques that draw the mesh as it is, with the shading of relief.
+class ShadedMesh : public testing::TestWithParam<const char*>
+{
+protected:
+  static MesoScene BallOverFloor(const std::string& technique)
+  {
+    return ShadowSceneOf(R"("camera": {"position": [0.5, 2.2, 2.6], "focal_point": [0, 0, 0],
+      "view_angle": 40}, "lights": [{"type": "directional", "direction": [0.7, -1, 0.2]}],
+      "nodes": [{"transform": {"translate": [0, -0.7, 0], "rotate": [-90, 1, 0, 0]},
+        "mesh": {"shape": "plane", "size": [4, 4]}, "mesostructure": {"technique": ")" +
+      technique + R"(", "scale": 0.01, "height_map": {"pattern": "smooth", "size": [32, 32]}}},
+        {"mesh": {"shape": "sphere", "radius": 0.5}, "mesostructure": {"technique": ")" +
+      technique + R"(", "scale": 0.03, "tiles": [4, 2],
+          "height_map": {"pattern": "brick", "size": [64, 64]}}}])");
+  }
+
+  /// The pixels of the floor where the light is blocked by the ball.
+  static std::vector<bool> ShadowOnFloor(DrawnScene& scene)
+  {
+    scene.Capture();
+    const std::vector<float> objects = scene.Pass->GetChannel("object");
+    const std::vector<float> shadows = scene.Pass->GetChannel("shadow.0");
+    std::vector<bool> shadowed;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+    {
+      shadowed.push_back(objects[i] == 1.f && shadows[i] > 0.5f);
+    }
+    return shadowed;
+  }
+};
+}
+
+// Floor and ball cast and take shadows as their meshes do.
+TEST_P(ShadedMesh, CastsAsItsMesh)
+{
+  DrawnScene plain(BallOverFloor("plain"), 120, 90);
+  DrawnScene shaded(BallOverFloor(GetParam()), 120, 90);
+  const std::vector<bool> ofMesh = ShadowOnFloor(plain);
+  const std::vector<bool> ofShaded = ShadowOnFloor(shaded);
+  const auto pixels = std::count(ofMesh.begin(), ofMesh.end(), true);
+  ASSERT_GT(pixels, 300);
+  int differ = 0;
+  for (std::size_t i = 0; i < ofMesh.size(); ++i)
+  {
+    differ += ofMesh[i] != ofShaded[i] ? 1 : 0;
+  }
+  EXPECT_LT(differ, pixels / 50);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Technique, ShadedMesh, testing::Values("bump", "normal", "normal-object", "parallax", "horizon"));

@@ -382,11 +382,11 @@ MesoEffects MesoEffectsOfTechnique(MesoTechnique technique)
     case MesoTechnique::Bump:
     case MesoTechnique::Normal:
     case MesoTechnique::NormalObject:
-      return { MesoEffect::Shading };
+      return { MesoEffect::Shading, MesoEffect::CastShadow };
     case MesoTechnique::Parallax:
-      return { MesoEffect::Shading, MesoEffect::Occlusion };
+      return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::CastShadow };
     case MesoTechnique::Horizon:
-      return { MesoEffect::Shading, MesoEffect::SelfShadow };
+      return { MesoEffect::Shading, MesoEffect::SelfShadow, MesoEffect::CastShadow };
     case MesoTechnique::Relief:
       return { MesoEffect::Shading, MesoEffect::Occlusion, MesoEffect::SelfShadow,
         MesoEffect::Depth, MesoEffect::CastShadow };

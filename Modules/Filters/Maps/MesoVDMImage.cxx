@@ -154,7 +154,7 @@ void MesoStoreVDM(const MesoVDMLayout& layout, const MesoVDMNumbers& numbers, vt
   {
     for (int i = 0; i < columns; ++i)
     {
-      const auto code = static_cast<unsigned short>(numbers[row + i] * largest + 0.5f);
+      const auto code = static_cast<unsigned short>(std::lround(numbers[row + i] * largest));
       *(i < distances ? distance : angle)++ = code;
     }
   }

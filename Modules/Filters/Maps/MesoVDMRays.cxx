@@ -75,7 +75,6 @@ double FirstRoot(double start, double middle, double end, double length)
 
 MesoVDMRays::MesoVDMRays(const MesoVDMLayout& layout, MesoVDMCurved curved, double azimuth)
   : Layout(layout)
-  , Curved(curved)
   , Range(layout.Range())
   , Line(layout.Width, layout.Height, azimuth, ReachOf(layout))
 {

@@ -85,7 +85,6 @@ private:
   double NumberOf(double curvature, double sine, double cosine, const Point& point) const;
 
   MesoVDMLayout Layout;
-  MesoVDMCurved Curved;
   double Range;
   MesoHeightLine Line;
   std::vector<Fan> Fans; ///< one a curvature

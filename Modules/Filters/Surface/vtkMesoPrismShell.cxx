@@ -44,6 +44,7 @@ MesoVector MiddleOf(const std::vector<MesoPrism>& prisms)
 std::vector<double> HeightsOf(int slices)
 {
   std::vector<double> heights;
+  heights.reserve(slices);
   for (int i = 0; i < slices; ++i)
   {
     heights.push_back((i + 0.5) / slices);
@@ -61,7 +62,7 @@ void WritePoints(const std::vector<MesoPrism>& prisms, const MesoPrismShellInput
   std::vector<std::array<double, 1>> heights;
   vtkNew<vtkPoints> points;
   points->SetDataType(type);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(3 * levels.size() * prisms.size()));
+  points->SetNumberOfPoints(3 * static_cast<vtkIdType>(levels.size() * prisms.size()));
   vtkIdType next = 0;
   for (std::size_t i = 0; i < prisms.size(); ++i)
   {
@@ -141,7 +142,7 @@ void WriteTable(
   vtkNew<vtkFloatArray> table;
   table->SetName("MesoPrismTable");
   table->SetNumberOfComponents(4);
-  table->SetNumberOfTuples(static_cast<vtkIdType>(TableRows * prisms.size()));
+  table->SetNumberOfTuples(TableRows * static_cast<vtkIdType>(prisms.size()));
   vtkNew<vtkIdTypeArray> triangles;
   triangles->SetName("MesoPrismTriangle");
   vtkIdType next = 0;

@@ -26,12 +26,13 @@ MesoShaderShape MesoBumpShader::GetShape() const
   const MesoTechnique technique = this->Options.Technique;
   const bool mapped =
     technique == MesoTechnique::Normal || technique == MesoTechnique::NormalObject;
-  if (effects.Empty() || !(mapped || this->GetHeightMap()))
+  if (effects.Without({ MesoEffect::CastShadow }).Empty() || !(mapped || this->GetHeightMap()))
   {
     return MesoTechniqueShader::GetShape();
   }
   MesoShaderShape shape;
   shape.Traces = true;
+  shape.MeshCasts = true;
   if (this->GetHeightMap())
   {
     shape.UseFrame();

@@ -24,6 +24,7 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
   bool UsesFrame = false;    ///< it needs the tangent frame of the vertices
   bool WritesDepth = false;  ///< the depth buffer is that of the detail
   bool NormalMapped = false; ///< a normal map is read where the ray hit
+  bool MeshCasts = false;    ///< into shadow maps the mesh itself is drawn, whatever else is seen
   bool Displaced = false;    ///< the mesh itself is the detail, with its depth in MesoRelief
   bool Prisms = false;       ///< the mesh is a shell of prisms, their numbers in MesoPrism
   bool Diced = false;        ///< vertices are placed by the vertex stage, not read from the mesh
@@ -37,8 +38,8 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
       this->Attributes == other.Attributes && this->Defines == other.Defines &&
       this->Traces == other.Traces && this->UsesFrame == other.UsesFrame &&
       this->WritesDepth == other.WritesDepth && this->NormalMapped == other.NormalMapped &&
-      this->Displaced == other.Displaced && this->Prisms == other.Prisms &&
-      this->Diced == other.Diced;
+      this->MeshCasts == other.MeshCasts && this->Displaced == other.Displaced &&
+      this->Prisms == other.Prisms && this->Diced == other.Diced;
   }
 };
 

@@ -389,7 +389,11 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   vtkPointData* points = this->CurrentInput->GetPointData();
   const bool triangles =
     cellBO.PrimitiveType == PrimitiveTris || cellBO.PrimitiveType == PrimitiveTriStrips;
-  const MesoShaderShape shape = this->WhyPlain.empty() ? this->Shape() : this->Plain->GetShape();
+  MesoShaderShape shape = this->WhyPlain.empty() ? this->Shape() : this->Plain->GetShape();
+  if (build.Caster && shape.MeshCasts)
+  {
+    shape = this->Plain->GetShape();
+  }
   build.Surface = triangles && !this->PointPicking &&
     (shape.Traces || aov || this->HeightColorsReady || this->DrawsContours(shape) ||
       takesShadows) &&
