@@ -121,7 +121,7 @@ int vtkMesoBaseImage::RequestData(vtkInformation* vtkNotUsed(request),
   this->ErrorMessage.clear();
   try
   {
-    this->Execute(vtkPolyData::GetData(inputVector[0]), output);
+    this->Compute(vtkPolyData::GetData(inputVector[0]), output);
   }
   catch (const std::invalid_argument& error)
   {
@@ -139,7 +139,7 @@ int vtkMesoBaseImage::RequestData(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
-void vtkMesoBaseImage::Execute(vtkPolyData* input, vtkImageData* output)
+void vtkMesoBaseImage::Compute(vtkPolyData* input, vtkImageData* output)
 {
   const MesoBaseImage image = MesoMakeBaseImage(ReadMesh(input), { this->Size[0], this->Size[1] });
   this->UpdateProgress(0.8);

@@ -83,7 +83,7 @@ private:
   vtkMesoBaseImage(const vtkMesoBaseImage&) = delete;
   void operator=(const vtkMesoBaseImage&) = delete;
 
-  void Execute(vtkPolyData* input, vtkImageData* output);
+  void Compute(vtkPolyData* input, vtkImageData* output);
 
   int Size[2] = { 256, 256 };
   std::string ErrorMessage;
