@@ -432,3 +432,76 @@ TEST(NormalMaps, LookLikeTheGeometryTheyStandFor)
     }
   }
 }
+
+// A mesh that is bent with its frames refitted carries normals of tangent space along; those of object space
+// stay as they were, off by as much as the mesh has turned.
+TEST(NormalMaps, InObjectSpaceStayBehindWhereAMeshBends)
+{
+  constexpr double radius = 0.8;
+  constexpr double depth = 0.05;
+  const auto flat = MesoChartMesh(MesoCharts[0], 32);
+  vtkNew<vtkPolyData> bent;
+  bent->DeepCopy(flat);
+  for (vtkIdType i = 0; i < bent->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    flat->GetPoint(i, p);
+    const double turn = p[0] / radius;
+    bent->GetPoints()->SetPoint(i, radius * std::sin(turn), p[1], radius * (std::cos(turn) - 1.));
+    bent->GetPointData()->GetNormals()->SetTuple3(i, std::sin(turn), 0., std::cos(turn));
+  }
+  vtkNew<vtkMesoSurfaceFrames> refitted;
+  refitted->SetInputData(bent);
+  refitted->Update();
+
+  const auto heights = MesoHeightsOf(Size, Size, Hill);
+  vtkNew<vtkMesoNormalMap> ofTangents;
+  ofTangents->SetInputData(heights);
+  ofTangents->SetScale(depth);
+  ofTangents->Update();
+  vtkNew<vtkMesoObjectNormalMap> ofObject;
+  ofObject->SetInputData(0, heights);
+  ofObject->SetInputData(1, flat);
+  ofObject->SetSize(Size, Size);
+  ofObject->SetScale(depth);
+  ofObject->Update();
+
+  MesoChartPlane plane;
+  vtkNew<vtkMesoBumpMapper> mapper;
+  plane.Actor->SetMapper(mapper);
+  mapper->SetInputData(refitted->GetOutput());
+  // The mean angle, near the line along which the mesh has turned by so much, to the bent hill's normal.
+  const auto offWhereTurned = [&](double turn)
+  {
+    plane.Capture();
+    double sum = 0.;
+    int count = 0;
+    plane.ForEachPixel(
+      [&](int column, int row)
+      {
+        const double u = plane.Pass->GetValue("texcoord.u", column, row);
+        const double v = plane.Pass->GetValue("texcoord.v", column, row);
+        const double here = (u - 0.5) / radius;
+        if (std::abs(here - turn) < 0.05)
+        {
+          const Vector n = MesoCharts[0].Normal(HillU(u), HillV(v), depth);
+          const Vector expected = { std::cos(here) * n[0] + std::sin(here) * n[2], n[1],
+            std::cos(here) * n[2] - std::sin(here) * n[0] };
+          sum += MesoDegreesBetween(plane.NormalAt(column, row), expected);
+          ++count;
+        }
+      });
+    EXPECT_GT(count, 50);
+    return sum / count;
+  };
+  MesoNormalMapMeaning meaning;
+  mapper->SetOptions(Options(MesoTechnique::Normal));
+  mapper->SetNormalMap(ofTangents->GetOutput(), meaning);
+  EXPECT_LT(offWhereTurned(0.), 1.5);
+  EXPECT_LT(offWhereTurned(0.4), 1.5);
+  meaning.Space = MesoNormalSpace::Object;
+  mapper->SetOptions(Options(MesoTechnique::NormalObject));
+  mapper->SetNormalMap(ofObject->GetOutput(), meaning);
+  EXPECT_LT(offWhereTurned(0.), 3.); // within .05 of a turn there
+  EXPECT_NEAR(offWhereTurned(0.4), 0.4 * 180. / Pi, 2.);
+}
