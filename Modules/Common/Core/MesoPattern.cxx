@@ -1,6 +1,7 @@
 #include "MesoPattern.h"
 
 #include "MesoPatternFields.h"
+#include "MesoPatternTable.h"
 
 #include "vtkSMPTools.h"
 
@@ -10,82 +11,14 @@
 
 namespace
 {
-struct Entry
-{
-  const char* Name;
-  std::vector<MesoParameter> Parameters;
-};
-
 MesoParameter Number(const char* key, double value, double least, double most)
 {
-  return { key, { value }, least, most, false };
+  return MesoPatternTable::Number(key, value, least, most);
 }
 
 MesoParameter Count(const char* key, double value, double least, double most)
 {
-  return { key, { value }, least, most, true };
-}
-
-const std::vector<Entry>& Table()
-{
-  static const std::vector<Entry> table = {
-    { "brick",
-      { Count("rows", 8., 1., 256.), Count("columns", 3., 1., 256.),
-        Number("mortar", 0.14, 0., 0.8), Number("bevel", 0.1, 0.01, 0.5),
-        Number("offset", 0.5, 0., 1.), Number("variation", 0.25, 0., 1.),
-        Number("roughness", 0.35, 0., 1.) } },
-    { "smooth", { Count("frequency", 3., 1., 8.), Number("falloff", 1., 0., 4.) } },
-    { "noise",
-      { Count("frequency", 4., 1., 1024.), Count("octaves", 5., 1., 10.),
-        Number("gain", 0.5, 0., 1.) } },
-    { "step", { Number("position", 0.5, 0., 1.), Number("low", 0., 0., 1.) } },
-    { "weave",
-      { Count("threads", 8., 2., 256.), Number("width", 0.85, 0.1, 0.95),
-        Number("strands", 0.5, 0., 1.), Number("variation", 0.2, 0., 1.) } },
-    { "stone",
-      { Count("cells", 6., 1., 256.), Number("jitter", 0.8, 0., 1.), Number("joint", 0.08, 0., 0.5),
-        Number("bevel", 0.25, 0.01, 1.), Number("variation", 0.5, 0., 1.),
-        Number("roughness", 0.35, 0., 1.) } },
-    { "spikes",
-      { Count("count", 8., 1., 1024.), Number("radius", 0.4, 0.05, 0.5),
-        Number("power", 1., 0.125, 8.), Number("variation", 0., 0., 1.) } },
-    { "checkerboard",
-      { Count("squares", 8., 2., MesoPatternMaximumSize), Number("low", 0., 0., 1.) } },
-    { "pits",
-      { Count("count", 8., 1., 1024.), Number("radius", 0.4, 0.05, 0.5),
-        Number("variation", 0.5, 0., 1.) } },
-    { "terrain",
-      { Count("frequency", 3., 1., 256.), Count("octaves", 8., 1., 12.),
-        Number("gain", 0.5, 0., 1.), Number("ridges", 0.6, 0., 1.),
-        Number("warp", 0.25, 0., 1.) } },
-    { "waves",
-      { Number("time", 0., -1e6, 1e6), Count("waves", 16., 1., 64.),
-        Number("frequency", 8., 1., 64.), Number("direction", 30., -360., 360.),
-        Number("spread", 50., 0., 180.), Number("steepness", 0.4, 0., 1.) } },
-  };
-  return table;
-}
-
-const Entry* Find(const std::string& pattern)
-{
-  for (const auto& entry : Table())
-  {
-    if (pattern == entry.Name)
-    {
-      return &entry;
-    }
-  }
-  return nullptr;
-}
-
-MesoPatternValues WithDefaults(const Entry& entry, const MesoPatternValues& values)
-{
-  MesoPatternValues all = values;
-  for (const auto& parameter : entry.Parameters)
-  {
-    all.emplace(parameter.Key, parameter.Default[0]);
-  }
-  return all;
+  return MesoPatternTable::Count(key, value, least, most);
 }
 
 MesoFieldPointer MakeField(
@@ -131,52 +64,68 @@ std::string JointProblem(const std::string& pattern, const MesoPatternValues& al
   }
   return {};
 }
+
+const MesoPatternTable& Table()
+{
+  static const MesoPatternTable table("pattern", &JointProblem,
+    {
+      { "brick",
+        { Count("rows", 8., 1., 256.), Count("columns", 3., 1., 256.),
+          Number("mortar", 0.14, 0., 0.8), Number("bevel", 0.1, 0.01, 0.5),
+          Number("offset", 0.5, 0., 1.), Number("variation", 0.25, 0., 1.),
+          Number("roughness", 0.35, 0., 1.) } },
+      { "smooth", { Count("frequency", 3., 1., 8.), Number("falloff", 1., 0., 4.) } },
+      { "noise",
+        { Count("frequency", 4., 1., 1024.), Count("octaves", 5., 1., 10.),
+          Number("gain", 0.5, 0., 1.) } },
+      { "step", { Number("position", 0.5, 0., 1.), Number("low", 0., 0., 1.) } },
+      { "weave",
+        { Count("threads", 8., 2., 256.), Number("width", 0.85, 0.1, 0.95),
+          Number("strands", 0.5, 0., 1.), Number("variation", 0.2, 0., 1.) } },
+      { "stone",
+        { Count("cells", 6., 1., 256.), Number("jitter", 0.8, 0., 1.),
+          Number("joint", 0.08, 0., 0.5), Number("bevel", 0.25, 0.01, 1.),
+          Number("variation", 0.5, 0., 1.), Number("roughness", 0.35, 0., 1.) } },
+      { "spikes",
+        { Count("count", 8., 1., 1024.), Number("radius", 0.4, 0.05, 0.5),
+          Number("power", 1., 0.125, 8.), Number("variation", 0., 0., 1.) } },
+      { "checkerboard",
+        { Count("squares", 8., 2., MesoPatternMaximumSize), Number("low", 0., 0., 1.) } },
+      { "pits",
+        { Count("count", 8., 1., 1024.), Number("radius", 0.4, 0.05, 0.5),
+          Number("variation", 0.5, 0., 1.) } },
+      { "terrain",
+        { Count("frequency", 3., 1., 256.), Count("octaves", 8., 1., 12.),
+          Number("gain", 0.5, 0., 1.), Number("ridges", 0.6, 0., 1.),
+          Number("warp", 0.25, 0., 1.) } },
+      { "waves",
+        { Number("time", 0., -1e6, 1e6), Count("waves", 16., 1., 64.),
+          Number("frequency", 8., 1., 64.), Number("direction", 30., -360., 360.),
+          Number("spread", 50., 0., 180.), Number("steepness", 0.4, 0., 1.) } },
+    });
+  return table;
+}
 }
 
 std::vector<std::string> MesoPatternNames()
 {
-  std::vector<std::string> names;
-  for (const auto& entry : Table())
-  {
-    names.emplace_back(entry.Name);
-  }
-  return names;
+  return Table().Names();
 }
 
 std::vector<MesoParameter> MesoPatternParameters(const std::string& pattern)
 {
-  const Entry* entry = Find(pattern);
-  return entry ? entry->Parameters : std::vector<MesoParameter>{};
+  return Table().Parameters(pattern);
 }
 
 std::string MesoPatternProblem(const std::string& pattern, const MesoPatternValues& values)
 {
-  const Entry* entry = Find(pattern);
-  if (!entry)
-  {
-    return "unknown pattern '" + pattern + "' (known: " + MesoListOfNames(MesoPatternNames()) + ")";
-  }
-  for (const auto& [key, value] : values)
-  {
-    const std::string problem = MesoParameterProblem(entry->Parameters, key, { value });
-    if (!problem.empty())
-    {
-      return "pattern '" + pattern + "': " + problem;
-    }
-  }
-  const std::string problem = JointProblem(pattern, WithDefaults(*entry, values));
-  return problem.empty() ? problem : "pattern '" + pattern + "': " + problem;
+  return Table().Problem(pattern, values);
 }
 
 MesoPattern::MesoPattern(
   const std::string& pattern, std::uint32_t seed, const MesoPatternValues& values)
+  : Function(MakeField(pattern, seed, Table().Complete(pattern, values)))
 {
-  const std::string problem = MesoPatternProblem(pattern, values);
-  if (!problem.empty())
-  {
-    throw std::invalid_argument(problem);
-  }
-  this->Function = MakeField(pattern, seed, WithDefaults(*Find(pattern), values));
 }
 
 double MesoPattern::At(double s, double t) const

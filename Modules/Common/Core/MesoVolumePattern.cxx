@@ -1,81 +1,26 @@
 #include "MesoVolumePattern.h"
 
+#include "MesoPatternTable.h"
 #include "MesoVolumeFields.h"
 #include "vtkSMPTools.h"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace
 {
-struct Entry
-{
-  const char* Name;
-  std::vector<MesoParameter> Parameters;
-};
-
 MesoParameter Number(const char* key, double value, double least, double most)
 {
-  return { key, { value }, least, most, false };
+  return MesoPatternTable::Number(key, value, least, most);
 }
 
 MesoParameter Count(const char* key, double value, double most)
 {
-  return { key, { value }, 1., most, true };
+  return MesoPatternTable::Count(key, value, 1., most);
 }
 
 MesoParameter Depth(double value)
 {
   return Number("depth", value, 0.01, 4.);
-}
-
-const std::vector<Entry>& Table()
-{
-  static const std::vector<Entry> table = {
-    { "weave",
-      { Depth(0.25), { "threads", { 4. }, 2., 64., true }, Number("width", 0.8, 0.1, 1.),
-        Number("thickness", 0.9, 0.1, 1.) } },
-    { "chain",
-      { Depth(0.25), { "links", { 4. }, 2., 64., true }, Count("rows", 4., 64.),
-        Number("wire", 0.14, 0.02, 0.25), Number("width", 0.4, 0.05, 1.) } },
-    { "grid",
-      { Depth(0.25), Count("bars", 4., 64.), Number("width", 0.35, 0.05, 0.95),
-        Number("thickness", 0.5, 0.05, 1.), Number("rounding", 0.5, 0., 1.) } },
-    { "scales",
-      { Depth(0.25), { "rows", { 4. }, 2., 64., true }, Count("columns", 4., 64.),
-        Number("overlap", 0.6, 0., 1.), Number("thickness", 0.1, 0.02, 0.4),
-        Number("ground", 0.1, 0., 0.5), Number("variation", 0.15, 0., 1.) } },
-    { "bark",
-      { Depth(0.2), Count("columns", 5., 64.), Count("rows", 2., 64.),
-        Number("crack", 0.12, 0.01, 0.4), Number("undercut", 0.9, 0., 2.),
-        Number("roughness", 0.35, 0., 1.) } },
-    { "foam",
-      { Depth(0.25), Count("bubbles", 4., 64.), Number("radius", 0.6, 0.1, 0.8),
-        Number("jitter", 0.6, 0., 1.), Number("variation", 0.3, 0., 1.) } },
-  };
-  return table;
-}
-
-const Entry* Find(const std::string& pattern)
-{
-  for (const auto& entry : Table())
-  {
-    if (pattern == entry.Name)
-    {
-      return &entry;
-    }
-  }
-  return nullptr;
-}
-
-MesoPatternValues WithDefaults(const Entry& entry, const MesoPatternValues& values)
-{
-  MesoPatternValues all = values;
-  for (const auto& parameter : entry.Parameters)
-  {
-    all.emplace(parameter.Key, parameter.Default[0]);
-  }
-  return all;
 }
 
 MesoVolumeFieldPointer MakeField(
@@ -113,53 +58,55 @@ std::string JointProblem(const std::string& pattern, const MesoPatternValues& al
   }
   return {};
 }
+
+const MesoPatternTable& Table()
+{
+  static const MesoPatternTable table("volume pattern", &JointProblem,
+    {
+      { "weave",
+        { Depth(0.25), { "threads", { 4. }, 2., 64., true }, Number("width", 0.8, 0.1, 1.),
+          Number("thickness", 0.9, 0.1, 1.) } },
+      { "chain",
+        { Depth(0.25), { "links", { 4. }, 2., 64., true }, Count("rows", 4., 64.),
+          Number("wire", 0.14, 0.02, 0.25), Number("width", 0.4, 0.05, 1.) } },
+      { "grid",
+        { Depth(0.25), Count("bars", 4., 64.), Number("width", 0.35, 0.05, 0.95),
+          Number("thickness", 0.5, 0.05, 1.), Number("rounding", 0.5, 0., 1.) } },
+      { "scales",
+        { Depth(0.25), { "rows", { 4. }, 2., 64., true }, Count("columns", 4., 64.),
+          Number("overlap", 0.6, 0., 1.), Number("thickness", 0.1, 0.02, 0.4),
+          Number("ground", 0.1, 0., 0.5), Number("variation", 0.15, 0., 1.) } },
+      { "bark",
+        { Depth(0.2), Count("columns", 5., 64.), Count("rows", 2., 64.),
+          Number("crack", 0.12, 0.01, 0.4), Number("undercut", 0.9, 0., 2.),
+          Number("roughness", 0.35, 0., 1.) } },
+      { "foam",
+        { Depth(0.25), Count("bubbles", 4., 64.), Number("radius", 0.6, 0.1, 0.8),
+          Number("jitter", 0.6, 0., 1.), Number("variation", 0.3, 0., 1.) } },
+    });
+  return table;
+}
 }
 
 std::vector<std::string> MesoVolumePatternNames()
 {
-  std::vector<std::string> names;
-  for (const auto& entry : Table())
-  {
-    names.emplace_back(entry.Name);
-  }
-  return names;
+  return Table().Names();
 }
 
 std::vector<MesoParameter> MesoVolumePatternParameters(const std::string& pattern)
 {
-  const Entry* entry = Find(pattern);
-  return entry ? entry->Parameters : std::vector<MesoParameter>{};
+  return Table().Parameters(pattern);
 }
 
 std::string MesoVolumePatternProblem(const std::string& pattern, const MesoPatternValues& values)
 {
-  const Entry* entry = Find(pattern);
-  if (!entry)
-  {
-    return "unknown volume pattern '" + pattern +
-      "' (known: " + MesoListOfNames(MesoVolumePatternNames()) + ")";
-  }
-  for (const auto& [key, value] : values)
-  {
-    const std::string problem = MesoParameterProblem(entry->Parameters, key, { value });
-    if (!problem.empty())
-    {
-      return "volume pattern '" + pattern + "': " + problem;
-    }
-  }
-  const std::string problem = JointProblem(pattern, WithDefaults(*entry, values));
-  return problem.empty() ? problem : "volume pattern '" + pattern + "': " + problem;
+  return Table().Problem(pattern, values);
 }
 
 MesoVolumePattern::MesoVolumePattern(
   const std::string& pattern, std::uint32_t seed, const MesoPatternValues& values)
 {
-  const std::string problem = MesoVolumePatternProblem(pattern, values);
-  if (!problem.empty())
-  {
-    throw std::invalid_argument(problem);
-  }
-  const MesoPatternValues all = WithDefaults(*Find(pattern), values);
+  const MesoPatternValues all = Table().Complete(pattern, values);
   this->Depth = all.at("depth");
   this->Function = MakeField(pattern, seed, all);
 }

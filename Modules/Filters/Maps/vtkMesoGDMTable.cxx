@@ -2,6 +2,7 @@
 
 #include "MesoGDMSweep.h"
 #include "MesoTableFactors.h"
+#include "MesoWholeImage.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -127,8 +128,7 @@ int vtkMesoGDMTable::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   int extent[6];
-  inputVector[0]->GetInformationObject(0)->Get(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  MesoGetWholeExtent(inputVector[0]->GetInformationObject(0), extent);
   extent[4] = 0;
   extent[5] = this->Azimuths - 1;
   outputVector->GetInformationObject(0)->Set(
@@ -139,10 +139,7 @@ int vtkMesoGDMTable::RequestInformation(
 int vtkMesoGDMTable::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* information = inputVector[0]->GetInformationObject(0);
-  int extent[6];
-  information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

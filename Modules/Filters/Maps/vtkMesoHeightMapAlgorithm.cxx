@@ -1,5 +1,6 @@
 #include "vtkMesoHeightMapAlgorithm.h"
 
+#include "MesoWholeImage.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -53,8 +54,7 @@ int vtkMesoHeightMapAlgorithm::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   int extent[6];
-  inputVector[0]->GetInformationObject(0)->Get(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  MesoGetWholeExtent(inputVector[0]->GetInformationObject(0), extent);
   outputVector->GetInformationObject(0)->Set(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   return 1;
@@ -63,10 +63,7 @@ int vtkMesoHeightMapAlgorithm::RequestInformation(
 int vtkMesoHeightMapAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* information = inputVector[0]->GetInformationObject(0);
-  int extent[6];
-  information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -1,6 +1,7 @@
 #include "vtkMesoObjectNormalMap.h"
 
 #include "MesoKernels.h"
+#include "MesoWholeImage.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkFloatArray.h"
@@ -152,10 +153,7 @@ int vtkMesoObjectNormalMap::RequestInformation(
 int vtkMesoObjectNormalMap::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* information = inputVector[0]->GetInformationObject(0);
-  int extent[6];
-  information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -2,6 +2,7 @@
 
 #include "MesoDistanceTransform.h"
 #include "MesoVolumePattern.h" // for MesoVolumeMaximumSize
+#include "MesoWholeImage.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -55,8 +56,7 @@ int vtkMesoSignedDistance::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   int extent[6];
-  inputVector[0]->GetInformationObject(0)->Get(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  MesoGetWholeExtent(inputVector[0]->GetInformationObject(0), extent);
   vtkInformation* information = outputVector->GetInformationObject(0);
   information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   vtkDataObject::SetPointDataActiveScalarInfo(information, VTK_FLOAT, 1);
@@ -66,10 +66,7 @@ int vtkMesoSignedDistance::RequestInformation(
 int vtkMesoSignedDistance::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* information = inputVector[0]->GetInformationObject(0);
-  int extent[6];
-  information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -1,5 +1,6 @@
 #include "vtkMesoVolumeTile.h"
 
+#include "MesoWholeImage.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -8,7 +9,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <array>
@@ -149,10 +149,7 @@ int vtkMesoVolumeTile::RequestInformation(
 int vtkMesoVolumeTile::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* information = inputVector[0]->GetInformationObject(0);
-  int extent[6];
-  information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -144,17 +144,7 @@ MesoShaderShape MesoReliefShader::GetShape() const
       shape.Defines.emplace_back("MESO_BASE_BENT", "");
     }
   }
-  const std::pair<MesoEffect, const char*> names[] = { { MesoEffect::Shading, "MESO_SHADING" },
-    { MesoEffect::Occlusion, "MESO_OCCLUSION" }, { MesoEffect::SelfShadow, "MESO_SELF_SHADOW" },
-    { MesoEffect::Depth, "MESO_DEPTH" }, { MesoEffect::Silhouette, "MESO_SILHOUETTE" },
-    { MesoEffect::Curvature, "MESO_CURVATURE" } };
-  for (const auto& name : names)
-  {
-    if (effects.Has(name.first))
-    {
-      shape.Defines.emplace_back(name.second, "");
-    }
-  }
+  shape.DefineEffects(effects);
   return shape;
 }
 

@@ -89,16 +89,8 @@ MesoShaderShape MesoShellShader::GetShape() const
     add({ "Common/PrismShell.glsl",
       this->UsesTable() ? "Techniques/GDM.glsl" : "Techniques/ShellSDF.glsl" });
   }
-  const std::pair<MesoEffect, const char*> names[] = { { MesoEffect::Shading, "MESO_SHADING" },
-    { MesoEffect::Occlusion, "MESO_OCCLUSION" }, { MesoEffect::SelfShadow, "MESO_SELF_SHADOW" },
-    { MesoEffect::Depth, "MESO_DEPTH" }, { MesoEffect::Silhouette, "MESO_SILHOUETTE" } };
-  for (const auto& name : names)
-  {
-    if (effects.Has(name.first))
-    {
-      shape.Defines.emplace_back(name.second, "");
-    }
-  }
+  // Prisms bend with the mesh by themselves.
+  shape.DefineEffects(effects.Without({ MesoEffect::Curvature }));
   return shape;
 }
 

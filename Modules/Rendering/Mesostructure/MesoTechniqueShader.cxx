@@ -11,6 +11,21 @@ void MesoShaderShape::UseFrame()
   }
 }
 
+void MesoShaderShape::DefineEffects(const MesoEffects& effects)
+{
+  const std::pair<MesoEffect, const char*> names[] = { { MesoEffect::Shading, "MESO_SHADING" },
+    { MesoEffect::Occlusion, "MESO_OCCLUSION" }, { MesoEffect::SelfShadow, "MESO_SELF_SHADOW" },
+    { MesoEffect::Depth, "MESO_DEPTH" }, { MesoEffect::Silhouette, "MESO_SILHOUETTE" },
+    { MesoEffect::Curvature, "MESO_CURVATURE" } };
+  for (const auto& name : names)
+  {
+    if (effects.Has(name.first))
+    {
+      this->Defines.emplace_back(name.second, "");
+    }
+  }
+}
+
 MesoShaderShape MesoTechniqueShader::GetShape() const
 {
   MesoShaderShape shape;

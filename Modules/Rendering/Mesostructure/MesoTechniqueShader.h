@@ -1,6 +1,7 @@
 #ifndef MesoTechniqueShader_h
 #define MesoTechniqueShader_h
 
+#include "MesoOptions.h"                      // for MesoEffects
 #include "mesoRenderingMesostructureModule.h" // for export macro
 
 #include <cstddef>
@@ -31,6 +32,9 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
 
   /// Asks for the tangent frame of the vertices, and the arrays that hold it.
   void UseFrame();
+
+  /// Defines MESO_SHADING, MESO_OCCLUSION, ... of the effects that are on.
+  void DefineEffects(const MesoEffects& effects);
 
   bool operator==(const MesoShaderShape& other) const
   {
