@@ -44,6 +44,12 @@ constexpr Entry<MesoInterpolation> Interpolations[] = { { MesoInterpolation::Bil
   { MesoInterpolation::Bicubic, "bicubic" } };
 constexpr Entry<MesoFilter> Filters[] = { { MesoFilter::Auto, "auto" },
   { MesoFilter::None, "none" } };
+constexpr Entry<MesoCurvatureAt> CurvaturePlaces[] = { { MesoCurvatureAt::Pixel, "pixel" },
+  { MesoCurvatureAt::Vertex, "vertex" } };
+constexpr Entry<MesoExits> ExitKinds[] = { { MesoExits::Exact, "exact" },
+  { MesoExits::Interpolated, "interpolated" } };
+constexpr Entry<MesoStack> Stacks[] = { { MesoStack::Prism, "prism" },
+  { MesoStack::Screen, "screen" } };
 
 template <typename T, std::size_t N>
 const char* NameOf(const Entry<T> (&table)[N], T value)
@@ -133,6 +139,21 @@ const char* MesoName(MesoFilter value)
   return NameOf(Filters, value);
 }
 
+const char* MesoName(MesoCurvatureAt value)
+{
+  return NameOf(CurvaturePlaces, value);
+}
+
+const char* MesoName(MesoExits value)
+{
+  return NameOf(ExitKinds, value);
+}
+
+const char* MesoName(MesoStack value)
+{
+  return NameOf(Stacks, value);
+}
+
 std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name)
 {
   return FromName(Techniques, name);
@@ -183,6 +204,21 @@ std::optional<MesoFilter> MesoFilterFromName(const std::string& name)
   return FromName(Filters, name);
 }
 
+std::optional<MesoCurvatureAt> MesoCurvatureAtFromName(const std::string& name)
+{
+  return FromName(CurvaturePlaces, name);
+}
+
+std::optional<MesoExits> MesoExitsFromName(const std::string& name)
+{
+  return FromName(ExitKinds, name);
+}
+
+std::optional<MesoStack> MesoStackFromName(const std::string& name)
+{
+  return FromName(Stacks, name);
+}
+
 std::vector<std::string> MesoTechniqueNames()
 {
   return AllNames(Techniques);
@@ -231,6 +267,21 @@ std::vector<std::string> MesoInterpolationNames()
 std::vector<std::string> MesoFilterNames()
 {
   return AllNames(Filters);
+}
+
+std::vector<std::string> MesoCurvatureAtNames()
+{
+  return AllNames(CurvaturePlaces);
+}
+
+std::vector<std::string> MesoExitsNames()
+{
+  return AllNames(ExitKinds);
+}
+
+std::vector<std::string> MesoStackNames()
+{
+  return AllNames(Stacks);
 }
 
 MesoEffects::MesoEffects(std::initializer_list<MesoEffect> effects)
