@@ -119,8 +119,9 @@ const Picture Pictures[] = {
   { "SurfaceCylinderConfidence", "Documentation/SurfaceCylinderConfidence.json", "400x300" },
 };
 
-/// By TestDirectionsPicture and TestDistancesPicture.
-const char* const DrawnElsewhere[] = { "CurvedDistances", "SurfaceBlobDirections" };
+/// By TestDirectionsPicture, TestDistancesPicture and TestVDMPicture.
+const char* const DrawnElsewhere[] = { "CurvedDistances", "SurfaceBlobDirections",
+  "VDMErrorOverBytes", "VDMErrorOverRank", "VDMShortcut" };
 
 constexpr std::uintmax_t LargestPicture = 150000; // bytes
 
