@@ -133,10 +133,10 @@ const Picture Pictures[] = {
   { "SurfaceCylinderConfidence", "Documentation/SurfaceCylinderConfidence.json", "400x300" },
 };
 
-/// By TestDirectionsPicture, TestDistancesPicture, TestPaperOutlines and TestPaperQuadrics.
+/// By TestDirectionsPicture, TestDistancesPicture, TestPaperOutlines, TestPaperQuadrics and TestVDMPicture.
 const char* const DrawnElsewhere[] = { "CurvedDistances", "FigureCylinderMesh", "FigureObjectsMesh",
   "FigureQuadrics", "FigureSaddleMesh", "FigureTeapotMesh", "FigureTorusMesh",
-  "SurfaceBlobDirections" };
+  "SurfaceBlobDirections", "VDMErrorOverBytes", "VDMErrorOverRank", "VDMShortcut" };
 
 /// By them alone.
 const char* const ScenesDrawnElsewhere[] = { "FigureObjects" };
