@@ -7,12 +7,13 @@ uniform float mesoNearVC;      // distance of the near plane from the eye, along
 
 const int MESO_PRISM_ROWS = 7; // of the table, for each prism
 
-// How map coordinates lie over a prism: linear in b1 and b2.
+// How map coordinates lie over a prism, linear in b1 and b2, and where they go on.
 struct PrismChart
 {
   vec2 Map;
   vec2 AlongB1;
   vec2 AlongB2;
+  ivec3 Beyond; // numbers of the prisms beyond the fins, -1: none
 };
 
 vec4 fetchPrismRow(int row)
@@ -37,7 +38,9 @@ Prism fetchPrism(int number, out PrismChart chart)
   p.Rise0 = rise0.xyz;
   p.Rise1 = rise1.xyz;
   p.Rise2 = rise2.xyz;
-  p.Flags = int(fetchPrismRow(first + 6).x);
+  vec4 links = fetchPrismRow(first + 6);
+  p.Flags = int(links.x);
+  chart.Beyond = ivec3(links.yzw);
   chart.Map = vec2(bottom0.w, rise0.w) * mesoTiles;
   chart.AlongB1 = vec2(bottom1.w, rise1.w) * mesoTiles - chart.Map;
   chart.AlongB2 = vec2(bottom2.w, rise2.w) * mesoTiles - chart.Map;

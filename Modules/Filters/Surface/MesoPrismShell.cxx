@@ -70,12 +70,14 @@ public:
     MesoTriangleMesh welded = input.Mesh;
     welded.Vertex = this->Sites;
     std::vector<bool> used;
+    std::int64_t prisms = 0;
     for (const auto& triangle : welded.Triangles)
     {
       const auto& p = welded.Positions;
       const MesoVector area = MesoCross(MesoDifference(p[triangle[1]], p[triangle[0]]),
         MesoDifference(p[triangle[2]], p[triangle[0]]));
       used.push_back(MesoLength(area) > 0.);
+      this->Numbers.push_back(used.back() ? prisms++ : -1);
       MesoVector normal = { 0., 0., 0. };
       for (std::int64_t point : triangle)
       {
@@ -158,6 +160,7 @@ private:
       prism.Ends += 1 << k;
       return;
     }
+    prism.Beyond[k] = this->Numbers[partner / 3];
     std::int64_t first = this->Input.Mesh.PointOf(partner);
     std::int64_t second = this->Input.Mesh.PointOf(MesoTriangleMesh::Next(partner));
     if (this->Sites[first] != this->Sites[from])
@@ -197,6 +200,7 @@ private:
   std::vector<std::int64_t> Sites;
   std::vector<double> Rises; ///< of sites: part of the thickness
   std::vector<bool> Used;    ///< triangles that have area
+  std::vector<std::int64_t> Numbers; ///< of the triangles' prisms
   std::vector<bool> Winding; ///< triangles whose corners run clockwise around their normals
   std::int64_t Turned = 0;   ///< triangles that do, less those that do not
   std::vector<std::int64_t> Partners;
