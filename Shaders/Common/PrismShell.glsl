@@ -7,6 +7,9 @@
 // The first meeting with matter of a straight way in texture space, part in [0, 1]; at part 0 where it
 // starts in matter.
 VolumeHit meetMatter(vec3 from, vec3 span);
+// The same meeting, as near as the technique can say. All that is done once, at the end, is kept out of the loop
+// over prisms: devices that run several pixels as one do there what one of them does for all.
+VolumeHit refineMeeting(vec3 from, vec3 span, VolumeHit hit);
 
 // Prisms that a ray is followed through before it is given up, and those of them that it has nothing of, as
 // rounding may have it at their edges.
@@ -87,56 +90,57 @@ void takeNormals(MesoFragment f, PrismSpan span, bool atStart, inout MesoSurface
   }
 }
 
-// The first meeting with matter on a stretch of the fragment's ray in mesoPrism; `place`: (b1, b2, z) where the
-// stretch begins, and then where it ends or matter is met.
-bool meetInPrism(MesoFragment f, PrismSpan span, vec3 origin, vec3 direction, inout vec3 place,
-  inout MesoSurfaceHit hit)
+// A piece of a ray's way, straight in texture space, in mesoPrism, and what is met on it.
+struct ShellPiece
 {
-  float start = span.Enter;
-  for (int i = 1; i <= MESO_SEGMENTS; ++i)
+  float Start; // along the ray
+  float End;
+  vec3 Before; // (b1, b2, z)
+  vec3 After;
+  bool First; // of its prism
+  VolumeHit Met;
+};
+
+// Follows a stretch of a ray in mesoPrism, from piece.After, until matter is met.
+void followInPrism(
+  PrismSpan span, vec3 origin, vec3 direction, inout ShellPiece piece, inout MesoSurfaceHit hit)
+{
+  piece.End = span.Enter;
+  for (int i = 1; i <= MESO_SEGMENTS && !piece.Met.Found; ++i)
   {
-    float end = mix(span.Enter, span.Leave, float(i) / float(MESO_SEGMENTS));
-    vec3 after = prismPlace(mesoPrism, origin + end * direction, place);
-    VolumeHit found =
-      meetMatter(chartPlace(mesoChart, place), chartWay(mesoChart, after - place));
-    hit.Fetches += found.Fetches;
-    hit.TexelReads += 8 * found.Fetches;
-    hit.Iterations += found.Steps;
-    if (found.Found)
-    {
-      hit.Found = true;
-      hit.RayLength = mix(start, end, found.Part);
-      mesoPlace = mix(place, after, found.Part);
-      hit.MapCoord = chartPlace(mesoChart, mesoPlace).xy;
-      hit.Relief = clamp(1.0 - mesoPlace.z, 0.0, 1.0);
-      takeNormals(f, span, i == 1 && found.Part == 0.0, hit);
-      return true;
-    }
-    start = end;
-    place = after;
+    piece.First = i == 1;
+    piece.Start = piece.End;
+    piece.Before = piece.After;
+    piece.End = mix(span.Enter, span.Leave, float(i) / float(MESO_SEGMENTS));
+    piece.After = prismPlace(mesoPrism, origin + piece.End * direction, piece.Before);
+    piece.Met = meetMatter(
+      chartPlace(mesoChart, piece.Before), chartWay(mesoChart, piece.After - piece.Before));
+    hit.Fetches += piece.Met.Fetches;
+    hit.Iterations += piece.Met.Steps;
   }
-  return false;
 }
 
 MesoSurfaceHit traceSurface(MesoFragment f)
 {
   MesoSurfaceHit hit = baseSurface(f);
-  hit.Found = false;
   mesoAtCut = false;
   vec3 origin = modelPointOf(f.PositionVC);
   vec3 direction = mesoViewToModel * f.ViewVC;
   PrismSpan span;
   bool within = beginStretch(f, gl_FrontFacing, origin, direction, span);
-  vec3 place = vec3(1.0 / 3.0, 1.0 / 3.0, 0.5);
+  ShellPiece piece;
+  piece.After = vec3(1.0 / 3.0, 1.0 / 3.0, 0.5);
+  piece.Met.Found = false;
   int missed = 0;
   for (int i = 0; within && i < MESO_MOST_PRISMS && missed < MESO_MOST_MISSED; ++i)
   {
     if (span.Enter <= span.Leave)
     {
-      place = prismPlace(mesoPrism, origin + span.Enter * direction, place);
-      if (meetInPrism(f, span, origin, direction, place, hit))
+      piece.After = prismPlace(mesoPrism, origin + span.Enter * direction, piece.After);
+      followInPrism(span, origin, direction, piece, hit);
+      if (piece.Met.Found)
       {
-        return hit;
+        break;
       }
     }
     else
@@ -145,9 +149,22 @@ MesoSurfaceHit traceSurface(MesoFragment f)
     }
     int left = span.Exit;
     within = passFin(origin, direction, true, span);
-    place = left < 2 || span.Face < 2
+    piece.After = left < 2 || span.Face < 2
       ? vec3(1.0 / 3.0, 1.0 / 3.0, 0.5)
-      : placeOnFin(span.Face - 2, 1.0 - alongFin(left - 2, place), place.z);
+      : placeOnFin(span.Face - 2, 1.0 - alongFin(left - 2, piece.After), piece.After.z);
+  }
+  hit.Found = piece.Met.Found;
+  if (hit.Found)
+  {
+    VolumeHit met = refineMeeting(chartPlace(mesoChart, piece.Before),
+      chartWay(mesoChart, piece.After - piece.Before), piece.Met);
+    hit.Fetches += met.Fetches - piece.Met.Fetches;
+    hit.TexelReads = 8 * hit.Fetches;
+    hit.RayLength = mix(piece.Start, piece.End, met.Part);
+    mesoPlace = mix(piece.Before, piece.After, met.Part);
+    hit.MapCoord = chartPlace(mesoChart, mesoPlace).xy;
+    hit.Relief = clamp(1.0 - mesoPlace.z, 0.0, 1.0);
+    takeNormals(f, span, piece.First && met.Part == 0.0, hit);
   }
   return hit;
 }

@@ -51,6 +51,11 @@ VolumeHit meetMatter(vec3 from, vec3 span)
   return hit;
 }
 
+VolumeHit refineMeeting(vec3 from, vec3 span, VolumeHit hit)
+{
+  return hit;
+}
+
 vec3 matterGradient(vec3 place)
 {
   return volumeGradient(place);

@@ -160,7 +160,7 @@ private:
       prism.Ends += 1 << k;
       return;
     }
-    prism.Beyond[k] = this->Numbers[partner / 3];
+    prism.Beyond[k] = this->LiesBeyond(prism, k, partner) ? this->Numbers[partner / 3] : -1;
     std::int64_t first = this->Input.Mesh.PointOf(partner);
     std::int64_t second = this->Input.Mesh.PointOf(MesoTriangleMesh::Next(partner));
     if (this->Sites[first] != this->Sites[from])
@@ -172,6 +172,21 @@ private:
       ++shell.SeamFins;
       prism.Ends += 1 << k;
     }
+  }
+
+  /// Whether the prism at a fin's other side is on the other side: triangles that are there twice are not.
+  bool LiesBeyond(const MesoPrism& prism, int k, std::int64_t partner) const
+  {
+    const int next = (k + 1) % 3;
+    const MesoVector across = MesoCross(MesoDifference(prism.Bottom[next], prism.Bottom[k]),
+      MesoSum(prism.Rise[k], prism.Rise[next]));
+    const auto side = [&](std::int64_t point)
+    {
+      const auto& place = this->Input.Mesh.Positions;
+      return MesoDot(across, MesoDifference(place[point], place[prism.Points[k]]));
+    };
+    const std::int64_t last = MesoTriangleMesh::Next(MesoTriangleMesh::Next(partner));
+    return side(prism.Points[(k + 2) % 3]) * side(this->Input.Mesh.PointOf(last)) < 0.;
   }
 
   /// Lowers the corners of the prisms that turn over; false where there are none.

@@ -31,7 +31,7 @@ struct MesoPrism
   /// Bit k: what fills the prism ends at fin k: no prism is beyond it, or one whose texture
   /// coordinates do not go on.
   int Ends = 0;
-  /// Of each fin the prism beyond it, -1: none.
+  /// Of each fin the prism on its other side, -1: none.
   std::array<std::int64_t, 3> Beyond = { -1, -1, -1 };
   bool Turned = false; ///< its corners run the other way round than in most prisms
 
