@@ -130,8 +130,9 @@ const Picture Pictures[] = {
   { "SurfaceCylinderConfidence", "Documentation/SurfaceCylinderConfidence.json", "400x300" },
 };
 
-/// By TestDirectionsPicture and TestDistancesPicture.
-const char* const DrawnElsewhere[] = { "CurvedDistances", "SurfaceBlobDirections" };
+/// By TestDirectionsPicture, TestDistancesPicture and TestGDMFigures.
+const char* const DrawnElsewhere[] = { "CurvedDistances", "SurfaceBlobDirections",
+  "GDMFigureDistances", "GDMFigureExit", "GDMFigureShadow", "GDMFigureSpaces" };
 
 constexpr std::uintmax_t LargestPicture = 150000; // bytes
 
