@@ -122,7 +122,9 @@ TEST(HeightFieldsAsVolumes, HaveOpenEdgesWhichVDMHasNot)
   {
     errors[technique] =
       MesoCompareGeometry(truth, DrawnAOVs(Scene(sheet, technique, camera, more), Size, Size));
-    std::cout << technique << ": iou " << errors[technique].CoverageIou << ", both " << errors[technique].BothPixels << ", boundary " << errors[technique].BoundaryPixels << ", extra " << errors[technique].ExtraPixels << ", void "
+    std::cout << technique << ": iou " << errors[technique].CoverageIou << ", both "
+              << errors[technique].BothPixels << ", boundary " << errors[technique].BoundaryPixels
+              << ", extra " << errors[technique].ExtraPixels << ", void "
               << errors[technique].VoidPixels << "\n";
   }
   // The sheet's sides are solid: what vdm leaves out is a good part of the picture.
