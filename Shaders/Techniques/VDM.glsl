@@ -19,12 +19,13 @@ float tableCurvature(MesoFragment f, VDMLayout table, vec2 over)
 #endif
 }
 
-// The table's level whose texels are as large as those of the height map's level that is drawn.
+// The table's level whose texels are as large as those of the height map's level that is drawn; where that is the
+// map itself, the table itself.
 float tableLevel()
 {
 #ifdef MESO_FILTER
   vec2 texels = mesoVDMTexels / vec2(mapSize());
-  return max(mesoLevel + 0.5 * log2(texels.x * texels.y), 0.0);
+  return clamp(mesoLevel + 0.5 * log2(texels.x * texels.y), 0.0, mesoLevel);
 #else
   return 0.0;
 #endif
