@@ -54,6 +54,16 @@ const Picture Pictures[] = {
   { "CurvedTruth", "Documentation/CurvedQuadric.json", "320x240", "reference" },
   { "DepthCylinders", "Documentation/DepthCylinders.json", "400x300" },
   { "DisplacementLevels", "Documentation/DisplacementLevels.json", "320x240" },
+  { "GDMBlob", "Documentation/GDMBlob.json", "320x240" },
+  { "GDMBlobTruth", "Documentation/GDMBlob.json", "320x240", "reference" },
+  { "GDMLizard", "Documentation/GDMLizard.json", "320x240" },
+  { "GDMLizardTruth", "Documentation/GDMLizard.json", "320x240", "reference" },
+  { "GDMNeck", "Documentation/GDMNeck.json", "320x240" },
+  { "GDMNeckTruth", "Documentation/GDMNeck.json", "320x240", "reference" },
+  { "GDMNeckVDM", "Documentation/GDMNeck.json", "320x240", "render", "vdm" },
+  { "GDMOpen", "Documentation/GDMOpen.json", "320x240" },
+  { "GDMOpenTruth", "Documentation/GDMOpen.json", "320x240", "reference" },
+  { "GDMOpenVDM", "Documentation/GDMOpen.json", "320x240", "render", "vdm" },
   { "ReferenceDemo", "demo.json", "320x240", "reference" },
   { "FigureCylinder", "Documentation/FigureCylinder.json", "240x180" },
   { "FigureCylinderRelief", "Documentation/FigureCylinder.json", "240x180", "render", "relief" },
@@ -121,6 +131,7 @@ const Picture Pictures[] = {
   { "VolumeOpenSlices", "Documentation/VolumeOpen.json", "320x240", "render", "slices" },
   { "VolumeOpenTruth", "Documentation/VolumeOpen.json", "320x240", "reference" },
   { "VolumeTorus", "Documentation/VolumeTorus.json", "320x240" },
+  { "VolumeTorusGDM", "Documentation/VolumeTorus.json", "320x240", "render", "gdm" },
   { "VolumeTorusTruth", "Documentation/VolumeTorus.json", "320x240", "reference" },
   { "VolumeVase", "Documentation/VolumeVase.json", "320x240" },
   { "VolumeVaseGDM", "Documentation/VolumeVase.json", "320x240", "render", "gdm" },
@@ -133,10 +144,12 @@ const Picture Pictures[] = {
   { "SurfaceCylinderConfidence", "Documentation/SurfaceCylinderConfidence.json", "400x300" },
 };
 
-/// By TestDirectionsPicture, TestDistancesPicture, TestPaperOutlines and TestPaperQuadrics.
+/// By TestDirectionsPicture, TestDistancesPicture, TestGDMFigures, TestPaperOutlines, TestPaperQuadrics and
+/// TestVDMPicture.
 const char* const DrawnElsewhere[] = { "CurvedDistances", "FigureCylinderMesh", "FigureObjectsMesh",
-  "FigureQuadrics", "FigureSaddleMesh", "FigureTeapotMesh", "FigureTorusMesh",
-  "SurfaceBlobDirections" };
+  "FigureQuadrics", "FigureSaddleMesh", "FigureTeapotMesh", "FigureTorusMesh", "GDMFigureDistances",
+  "GDMFigureExit", "GDMFigureShadow", "GDMFigureSpaces", "SurfaceBlobDirections",
+  "VDMErrorOverBytes", "VDMErrorOverRank", "VDMShortcut" };
 
 /// By them alone.
 const char* const ScenesDrawnElsewhere[] = { "FigureObjects" };
