@@ -88,8 +88,7 @@ TEST(CurvedAgainstReference, WithBicubicHeights)
   for (const Arm& arm : arms)
   {
     const auto errorOf = [&](MesoInterpolation interpolation) {
-      return MesoCompareGeometry(
-        truth, DrawnAOVs(close(arm.Technique, interpolation), Size, Size));
+      return MesoCompareGeometry(truth, DrawnAOVs(close(arm.Technique, interpolation), Size, Size));
     };
     const MesoGeometryError cubic = errorOf(MesoInterpolation::Bicubic);
     const MesoGeometryError bilinear = errorOf(MesoInterpolation::Bilinear);
