@@ -73,8 +73,7 @@ public:
 private:
   static MesoScene Unshadowed(const std::string& file)
   {
-    MesoScene scene =
-      MesoReadScene(std::string(MESO_SCENES) + "/Documentation/" + file + ".json");
+    MesoScene scene = MesoReadScene(std::string(MESO_SCENES) + "/Documentation/" + file + ".json");
     for (MesoSceneLight& light : scene.Lights)
     {
       light.Shadow = false;

@@ -85,7 +85,8 @@ TEST(PaperOutlines, Figure9OfACylinderAndATeapotChangeWithTheQuadric)
     const Fragments fragments = FragmentsOf(figure);
     EXPECT_EQ(fragments.Plane, 0u) << name; // the mesh's own outline
     EXPECT_GT(fragments.Quadric, 100u) << name;
-    EXPECT_TRUE(MesoCompareWithMeshPicture(figure.Scene, std::string(name) + "Mesh", 240, 180)) << name;
+    EXPECT_TRUE(MesoCompareWithMeshPicture(figure.Scene, std::string(name) + "Mesh", 240, 180))
+      << name;
   }
 }
 
@@ -114,7 +115,8 @@ TEST(PaperOutlines, Figure14OfASaddleRegion)
     {
       continue;
     }
-    const bool isSaddle = std::cos(2. * Pi * double(plane.Texcoord[1][i]) / tiles) > 0.; // 0 looks at the axis
+    const bool isSaddle =
+      std::cos(2. * Pi * double(plane.Texcoord[1][i]) / tiles) > 0.; // 0 looks at the axis
     ofTruth += isSaddle && !Covers(figure.Truth(), i) ? 1 : 0;
     ofQuadric += isSaddle && !Covers(quadric, i) ? 1 : 0;
     elsewhere += !isSaddle && !Covers(quadric, i) ? 1 : 0;

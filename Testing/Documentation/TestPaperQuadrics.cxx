@@ -29,8 +29,8 @@ const Form Forms[] = { { "paraboloid", 0.5, 0.35 }, { "hyperbolic paraboloid", 0
 /// the two can be told apart.
 vtkSmartPointer<vtkPolyData> Patch(const Form& form, int cells, double fourth, double moved)
 {
-  const auto mesh = MesoTestScene::Shape("plane",
-    { { "size", { 2., 2. } }, { "segments", { double(cells), double(cells) } } });
+  const auto mesh = MesoTestScene::Shape(
+    "plane", { { "size", { 2., 2. } }, { "segments", { double(cells), double(cells) } } });
   auto bent = vtkSmartPointer<vtkPolyData>::New();
   bent->DeepCopy(mesh);
   for (vtkIdType i = 0; i < bent->GetNumberOfPoints(); ++i)

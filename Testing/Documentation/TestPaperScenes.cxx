@@ -126,8 +126,7 @@ std::vector<double> ReliefAround(
 /// Of values around a circle with the same moved on.
 double Correlation(const std::vector<double>& values, std::size_t moved)
 {
-  const double mean =
-    std::accumulate(values.begin(), values.end(), 0.) / double(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.) / double(values.size());
   double product = 0.;
   double square = 0.;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -153,8 +152,8 @@ TEST(PaperScenes, Figure11TheExactAndTheApproximateDistanceLookDifferent)
 {
   // The report finds them all but equal. They are not, and the approximate one is nearer to the truth.
   const PaperFigure figure("CurvedQuadric");
-  const MesoPicture truth = MesoPictureOfImage(
-    MesoReference(figure.Scene).Render(figure.Width, figure.Height).Picture);
+  const MesoPicture truth =
+    MesoPictureOfImage(MesoReference(figure.Scene).Render(figure.Width, figure.Height).Picture);
   const MesoPicture approximate =
     PictureOf(figure.With(MesoTechnique::ReliefQuadric), figure.Width, figure.Height);
   const MesoPicture exact =
@@ -207,8 +206,8 @@ TEST(PaperScenes, Figure13ReliefCastsAndTakesShadows)
   plainFloor.Nodes[Floor - 1].Mesostructure.Technique = MesoTechnique::Plain;
 
   // Relief onto a plain floor; plain objects onto the relief of a column; relief onto relief.
-  const auto check =
-    [&](const char* what, const ShadowComparison& shadows, int object, double within)
+  const auto check = [&](
+                       const char* what, const ShadowComparison& shadows, int object, double within)
   {
     for (int light = 0; light < 2; ++light)
     {
