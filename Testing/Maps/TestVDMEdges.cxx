@@ -309,6 +309,13 @@ TEST(VDMEdges, MapsOfOneTexelOrRow)
       {
         EXPECT_NEAR(NumberAt(table, layout, 0, 0, 5, i, 0) * layout.Range(), depth, 1e-5);
       }
+      // A level of one texel, whose largest angles are within the stretch to the next.
+      for (int k = 2; k < layout.Curvatures; ++k)
+      {
+        EXPECT_NEAR(
+          AngleAt(table, layout, 0, 0, 5, k), std::asin(1. - layout.CurvatureAt(k) * depth), 3e-5)
+          << k;
+      }
     }
     ExpectNumbers(Bake(map, layout, 4));
   }

@@ -140,12 +140,12 @@ TEST(VDMParts, ABakeThatStopsAmongItsFactorsHasNoRaysToFollowAgain)
 TEST(VDMParts, ThreadsDoNotMatter)
 {
   vtkSmartPointer<vtkImageData> map = RandomMap(19, 13);
-  vtkSMPTools::Initialize(1);
+  const std::string usual = vtkSMPTools::GetBackend();
+  vtkSmartPointer<vtkImageData> several = Bake(map, SmallLayout(19, 13), 6);
+  ASSERT_TRUE(vtkSMPTools::SetBackend("Sequential"));
   vtkSmartPointer<vtkImageData> one = Bake(map, SmallLayout(19, 13), 6);
-  vtkSMPTools::Initialize(3);
-  vtkSmartPointer<vtkImageData> three = Bake(map, SmallLayout(19, 13), 6);
-  vtkSMPTools::Initialize(0);
-  ExpectSame(one, three);
+  vtkSMPTools::SetBackend(usual.c_str());
+  ExpectSame(one, several);
 }
 
 TEST(VDMParts, FactorsSayWhatTheyLeave)
@@ -180,4 +180,43 @@ TEST(VDMParts, FactorsSayWhatTheyLeave)
   EXPECT_NEAR(errors->GetTuple1(1), largest, 1e-5);
   EXPECT_NEAR(
     errors->GetTuple1(2), std::sqrt(squares / 2. / double(numbers->GetNumberOfTuples())), 1e-5);
+}
+
+TEST(VDMParts, TablesSayWhatLiesBetweenTheirAngles)
+{
+  // An eighth of second differences, around the azimuths without an end and between the polar angles' ends.
+  const MesoVDMLayout layout = SmallLayout(6, 5);
+  vtkSmartPointer<vtkImageData> table = Bake(RandomMap(6, 5), layout);
+  double squares[2] = { 0., 0. };
+  double counts[2] = { 0., 0. };
+  for (int azimuth = 0; azimuth < layout.Azimuths; ++azimuth)
+  {
+    for (int texel = 0; texel < layout.Width * layout.Height; ++texel)
+    {
+      for (int k = 0; k < layout.Curvatures; ++k)
+      {
+        for (int i = 0; i < layout.Polars; ++i)
+        {
+          const auto at = [&](int a, int p)
+          {
+            return NumberAt(table, layout, texel % layout.Width, texel / layout.Width,
+              (a + layout.Azimuths) % layout.Azimuths, p, k);
+          };
+          const auto add = [&](int axis, double before, double after)
+          {
+            const double eighth = (before - 2. * at(azimuth, i) + after) / 8.;
+            squares[axis] += eighth * eighth;
+            counts[axis] += 1.;
+          };
+          add(0, at(azimuth - 1, i), at(azimuth + 1, i));
+          if (i > 0 && i + 1 < layout.Polars)
+          {
+            add(1, at(azimuth, i - 1), at(azimuth, i + 1));
+          }
+        }
+      }
+    }
+  }
+  EXPECT_NEAR(table->GetFieldData()->GetArray("AngularError")->GetTuple1(0),
+    std::sqrt(squares[0] / counts[0] + squares[1] / counts[1]), 1e-5);
 }

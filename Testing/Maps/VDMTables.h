@@ -44,6 +44,14 @@ inline vtkSmartPointer<vtkImageData> RandomMap(int width, int height)
   return MakeMap(width, height, [&](int, int) { return uniform(random); });
 }
 
+/// Of heights 0, 0.4 and 1 alone.
+inline vtkSmartPointer<vtkImageData> SteppedMap(int width, int height)
+{
+  std::mt19937 random(5);
+  const double heights[] = { 0., 0., 0.4, 1. };
+  return MakeMap(width, height, [&](int, int) { return heights[random() % 4]; });
+}
+
 inline MesoVDMLayout SmallLayout(int width, int height)
 {
   MesoVDMLayout layout;

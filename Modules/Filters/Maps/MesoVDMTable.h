@@ -18,7 +18,7 @@
 class vtkImageData;
 
 /// Grows when what is baked from the same map and layout changes.
-constexpr double MesoVDMVersion = 3.;
+constexpr double MesoVDMVersion = 4.;
 
 /// What is stored of the point where a ray meets the relief; counts as VDMStores... of the kernel.
 enum class MesoVDMStores
