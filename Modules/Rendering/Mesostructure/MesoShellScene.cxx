@@ -51,6 +51,7 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volu
   shell->SetThickness(options.Scale);
   shell->SetReference(options.Reference);
   shell->SetTiles(options.Tiles[0], options.Tiles[1]);
+  shell->SetInnerFins(options.Exits == MesoExits::Interpolated);
   if (options.Technique == MesoTechnique::Slices)
   {
     const double slices = volume->GetDimensions()[2] * MesoFacetsPerTexel(options.Quality);

@@ -86,8 +86,16 @@ MesoShaderShape MesoShellShader::GetShape() const
   else
   {
     define("MESO_SEGMENTS", std::to_string(std::max(this->Options.Segments, 1)));
-    add({ "Common/PrismShell.glsl",
-      this->UsesTable() ? "Techniques/GDM.glsl" : "Techniques/ShellSDF.glsl" });
+    const bool interpolated = this->Options.Exits == MesoExits::Interpolated;
+    if (interpolated)
+    {
+      define("MESO_EXITS", "");
+      shape.VertexChunks = { "Common/PrismVertex.glsl", "Kernels/Prism.glsl",
+        "Common/PrismAccess.glsl" };
+    }
+    add(
+      { "Common/PrismShell.glsl", interpolated ? "Common/PrismExits.glsl" : "Common/PrismWalk.glsl",
+        this->UsesTable() ? "Techniques/GDM.glsl" : "Techniques/ShellSDF.glsl" });
   }
   // Prisms bend with the mesh by themselves.
   shape.DefineEffects(effects.Without({ MesoEffect::Curvature }));
