@@ -229,6 +229,7 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   if (!MesoUsesVolume(options.Technique))
   {
     value.Refuse({ "segments", "exits" }, technique + " has no prisms that rays run through");
+    value.Refuse({ "volume_colors" }, technique + " draws no volume");
     return;
   }
   const bool tabled = options.Technique == MesoTechnique::GDM;
@@ -256,6 +257,8 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   {
     value.At("wrap").Fail("a volume repeats");
   }
+  value.With("volume_colors",
+    [&](const MesoSceneValue& colors) { node.VolumeColors = colors.ToFileName(); });
   if (options.Technique == MesoTechnique::Slices)
   {
     value.Refuse({ "segments", "exits" }, technique + " has no rays that run through prisms");

@@ -80,15 +80,21 @@ MesoShellVolume MesoReadShellVolume(
   {
     result.Table = MesoReadGDM(node.Baked, place + ".baked");
     result.Volume = MesoVolumeOfGDM(result.Table);
-    return result;
   }
-  result.Volume = MesoReadVolume(*node.Volume, place + ".volume", warnings);
-  if (options.Technique == MesoTechnique::GDM)
+  else
+  {
+    result.Volume = MesoReadVolume(*node.Volume, place + ".volume", warnings);
+  }
+  if (options.Technique == MesoTechnique::GDM && !result.Table)
   {
     constexpr int ordinaryRank = 16;
     const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
     result.Table =
       MesoMakeGDM(result.Volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+  }
+  if (!node.VolumeColors.empty())
+  {
+    result.Volume = MesoColoredVolume(result.Volume, node.VolumeColors, place + ".volume_colors");
   }
   return result;
 }

@@ -25,7 +25,8 @@
  * Volume: a canonical volume, one tile of the mesostructure in x and y, whole in z: the point array
  * MesoSignedDistance (1, float; tile widths, negative inside; row 0 at t = 0, z from the shell's bottom to
  * its top) and the field array MesoVolumeDepth (1; z counts that many tile widths). Matter ends at the
- * shell's bottom, top and open fins, where its cut is seen.
+ * shell's bottom, top and open fins, where its cut is seen. The point array MesoColor (3, float; red,
+ * green, blue in [0, 1]), where there is one, multiplies the actor's ambient and diffuse color where matter is met.
  *
  * The options' Scale is the shell's thickness, which the input has already; Effects other than shading,
  * self-shadow and those of shadow maps are shown together or not at all.
