@@ -369,7 +369,7 @@ TEST(SceneRefusals, ShellsOfVolumes)
   {
     const std::string technique = std::string(R"("technique": ")") + name + "\"";
     EXPECT_EQ(of(technique),
-      place + ": technique " + name + " needs a volume or a tile_mesh" +
+      place + ": technique " + name + " needs a volume, a tile_mesh or a height_map" +
         (std::string(name) == "gdm" ? ", or a baked table" : ""));
     EXPECT_EQ(of(volume + technique),
       place + ": technique " + name + " needs scale, the thickness of its shell in object units");

@@ -221,7 +221,7 @@ void ReadSampling(const MesoSceneValue& value, MesoMesostructureOptions& options
     });
 }
 
-/// What is said of a volume's shell; the volume itself has been read.
+/// What is said of a volume's shell; the volume itself, or the map that is made one, has been read.
 void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
 {
   MesoMesostructureOptions& options = node.Mesostructure;
@@ -235,11 +235,13 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   const bool tabled = options.Technique == MesoTechnique::GDM;
   if (!node.Baked.empty())
   {
-    value.Refuse({ "volume", "tile_mesh" }, "the baked table has its volume in it");
+    value.Refuse({ "volume", "tile_mesh", "height_map", "depth_map", "relief_map" },
+      "the baked table has its volume in it");
   }
-  else if (!node.Volume)
+  else if (!node.Volume && !node.Map)
   {
-    value.Fail(technique + " needs a volume or a tile_mesh" + (tabled ? ", or a baked table" : ""));
+    value.Fail(technique + " needs a volume, a tile_mesh or a height_map" +
+      (tabled ? ", or a baked table" : ""));
   }
   if (!value.Has("scale"))
   {
@@ -249,7 +251,7 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   {
     value.At("scale").Fail("a shell needs some thickness");
   }
-  if (!value.Has("reference"))
+  if (!value.Has("reference") && !node.Map)
   {
     options.Reference = 0.;
   }
@@ -517,7 +519,6 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     { options.Effects = ReadEffects(effects, options.Technique); });
 
   node.Volume = MesoReadSceneVolume(value);
-  ReadShell(value, node);
   if (value.Has("height_map"))
   {
     value.Refuse(
@@ -539,6 +540,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       node.Map->IsDepth = true;
       node.Map->IsReliefMap = true;
     });
+  ReadShell(value, node);
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (!node.Map)
   {

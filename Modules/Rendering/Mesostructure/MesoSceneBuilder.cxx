@@ -330,7 +330,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       MesoCheckShellMaterial(node.Material, inScene);
       const MesoShellVolume read =
-        MesoReadShellVolume(node, inScene + ".mesostructure", this->Warnings);
+        MesoReadShellVolume(node, object.HeightMap, inScene + ".mesostructure", this->Warnings);
       object.Volume = read.Volume;
       object.VolumeTable = read.Table;
     }

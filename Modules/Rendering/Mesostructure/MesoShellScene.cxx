@@ -2,6 +2,7 @@
 
 #include "MesoAlgorithmRun.h"
 #include "MesoGDMInput.h"
+#include "MesoHeightVolume.h"
 #include "MesoScene.h"
 #include "MesoVolumeInput.h"
 #include "vtkImageData.h"
@@ -71,10 +72,14 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volu
   return shell->GetOutput();
 }
 
-MesoShellVolume MesoReadShellVolume(
-  const MesoSceneNode& node, const std::string& place, std::vector<std::string>& warnings)
+MesoShellVolume MesoReadShellVolume(const MesoSceneNode& node, vtkImageData* heights,
+  const std::string& place, std::vector<std::string>& warnings)
 {
   const MesoMesostructureOptions& options = node.Mesostructure;
+  if (options.Wrap != MesoWrap::Repeat)
+  {
+    throw MesoInputError(place + ".wrap: a volume repeats");
+  }
   MesoShellVolume result;
   if (!node.Baked.empty())
   {
@@ -83,7 +88,8 @@ MesoShellVolume MesoReadShellVolume(
   }
   else
   {
-    result.Volume = MesoReadVolume(*node.Volume, place + ".volume", warnings);
+    result.Volume = node.Volume ? MesoReadVolume(*node.Volume, place + ".volume", warnings)
+                                : MesoVolumeOfHeights(heights, place, warnings);
   }
   if (options.Technique == MesoTechnique::GDM && !result.Table)
   {
