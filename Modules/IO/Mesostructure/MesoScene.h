@@ -181,7 +181,7 @@ struct MesoSceneNode
   std::optional<MesoSceneMap> Map;
   std::optional<MesoSceneVolume> Volume;
   std::string VolumeColors; ///< resolved name of a volume of the tile's colours, or empty
-  std::string Baked; ///< resolved name of a baked table, or empty
+  std::string Baked;        ///< resolved name of a baked table, or empty
   std::vector<MesoSceneNode> Children;
 };
 
