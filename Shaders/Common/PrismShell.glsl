@@ -16,54 +16,13 @@ VolumeHit refineMeeting(vec3 from, vec3 span, VolumeHit hit);
 const int MESO_MOST_PRISMS = 4096;
 const int MESO_MOST_MISSED = 16;
 
-// Takes the prism in mesoPrism beyond the face by which a ray leaves (`onward`) or comes in; false where
-// there is none. Both prisms have the planes of their fin to the last bit.
-bool passFin(vec3 origin, vec3 direction, bool onward, inout PrismSpan span)
-{
-  int face = onward ? span.Exit : span.Face;
-  int beyond = face < 2 ? -1 : mesoChart.Beyond[face - 2];
-  if (beyond < 0)
-  {
-    return false;
-  }
-  float at = onward ? max(span.Enter, span.Leave) : min(span.Enter, span.Leave);
-  mesoPrism = fetchPrism(beyond, mesoChart);
-  span = prismSpan(mesoPrism, origin, direction, at);
-  if (onward)
-  {
-    span.Enter = at;
-  }
-  else
-  {
-    span.Leave = at;
-  }
-  return true;
-}
-
-// Where the fragment's ray begins to be in the shell, as a stretch in mesoPrism; false where another
-// fragment answers for it. Only with the eye in the shell do backs of faces answer: for rays that come out of
-// it here, which are followed back to the near plane.
-bool beginStretch(
-  MesoFragment f, bool frontFacing, vec3 origin, vec3 direction, out PrismSpan span)
-{
-  mesoPrism = fetchPrism(int(mesoPrismVSOutput + 0.5), mesoChart);
-  span = prismSpan(mesoPrism, origin, direction, 0.0);
-  if (frontFacing)
-  {
-    return true;
-  }
-  float nearest = (-mesoNearVC - f.PositionVC.z) / min(f.ViewVC.z, -1.0e-6);
-  for (int i = 0; i < MESO_MOST_PRISMS && span.Enter >= nearest; ++i)
-  {
-    if (!passFin(origin, direction, false, span))
-    {
-      return false;
-    }
-  }
-  span.Enter = nearest;
-  span.Face = -1;
-  return span.Enter <= span.Leave;
-}
+// Where the fragment's ray begins to be in the shell, as a stretch in mesoPrism, and near which (b1, b2, z);
+// false where another fragment answers for it. Only with the eye in the shell do backs of faces answer, for rays
+// that come out of it here.
+bool beginStretch(MesoFragment f, bool frontFacing, vec3 origin, vec3 direction,
+  out PrismSpan span, inout vec3 place);
+// Goes on to the next stretch, in the next prism; false where there is none.
+bool nextStretch(vec3 origin, vec3 direction, inout PrismSpan span);
 
 // Whether the shell is cut open where the ray came in: matter that is met there shows its cut.
 bool entersByCut(PrismSpan span)
@@ -127,9 +86,9 @@ MesoSurfaceHit traceSurface(MesoFragment f)
   vec3 origin = modelPointOf(f.PositionVC);
   vec3 direction = mesoViewToModel * f.ViewVC;
   PrismSpan span;
-  bool within = beginStretch(f, gl_FrontFacing, origin, direction, span);
   ShellPiece piece;
   piece.After = vec3(1.0 / 3.0, 1.0 / 3.0, 0.5);
+  bool within = beginStretch(f, gl_FrontFacing, origin, direction, span, piece.After);
   piece.Met.Found = false;
   int missed = 0;
   for (int i = 0; within && i < MESO_MOST_PRISMS && missed < MESO_MOST_MISSED; ++i)
@@ -148,7 +107,7 @@ MesoSurfaceHit traceSurface(MesoFragment f)
       ++missed;
     }
     int left = span.Exit;
-    within = passFin(origin, direction, true, span);
+    within = nextStretch(origin, direction, span);
     piece.After = left < 2 || span.Face < 2
       ? vec3(1.0 / 3.0, 1.0 / 3.0, 0.5)
       : placeOnFin(span.Face - 2, 1.0 - alongFin(left - 2, piece.After), piece.After.z);

@@ -380,4 +380,12 @@ TEST(SceneRefusals, ShellsOfVolumes)
   }
   EXPECT_EQ(OfRelief(R"(, "segments": 2)"),
     place + ".segments: technique relief has no prisms that rays run through");
+  EXPECT_EQ(OfRelief(R"(, "volume_colors": "c.vti")"),
+    place + ".volume_colors: technique relief draws no volume");
+  EXPECT_EQ(OfRelief(R"(, "exits": "exact")"),
+    place + ".exits: technique relief has no prisms that rays run through");
+  EXPECT_TRUE(Mentions(
+    of(volume + R"("scale": 1, "technique": "slices", "exits": "exact")"), "no rays that run"));
+  EXPECT_TRUE(Mentions(of(volume + R"("scale": 1, "technique": "gdm", "exits": "interpolate")"),
+    "did you mean interpolated"));
 }

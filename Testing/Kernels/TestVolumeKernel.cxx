@@ -104,9 +104,8 @@ TYPED_TEST(VolumeKernel, FindsTheFirstMeeting)
     const Vec3 from(this->Random(0., 1.), this->Random(0., 1.), this->Random(0.95, 1.));
     const Vec3 to(this->Random(-1., 2.), this->Random(-1., 2.), 0.);
     const Vec3 span = to - from;
-    const auto hit =
-      volume.exactHit(from, span,
-        volume.bracketInVolume(from, span, Real(this->Depth), Real(0.25) * voxel, 256, false));
+    const auto hit = volume.exactHit(from, span,
+      volume.bracketInVolume(from, span, Real(this->Depth), Real(0.25) * voxel, 256, false));
     constexpr int marches = 4000;
     double first = 2.;
     double nearest = 1.;

@@ -213,11 +213,11 @@ private:
 
   const MesoPrismShellInput& Input;
   std::vector<std::int64_t> Sites;
-  std::vector<double> Rises; ///< of sites: part of the thickness
-  std::vector<bool> Used;    ///< triangles that have area
+  std::vector<double> Rises;         ///< of sites: part of the thickness
+  std::vector<bool> Used;            ///< triangles that have area
   std::vector<std::int64_t> Numbers; ///< of the triangles' prisms
-  std::vector<bool> Winding; ///< triangles whose corners run clockwise around their normals
-  std::int64_t Turned = 0;   ///< triangles that do, less those that do not
+  std::vector<bool> Winding;         ///< triangles whose corners run clockwise around their normals
+  std::int64_t Turned = 0;           ///< triangles that do, less those that do not
   std::vector<std::int64_t> Partners;
 };
 

@@ -228,7 +228,8 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (!MesoUsesVolume(options.Technique))
   {
-    value.Refuse({ "segments" }, technique + " has no prisms that rays run through");
+    value.Refuse({ "segments", "exits" }, technique + " has no prisms that rays run through");
+    value.Refuse({ "volume_colors" }, technique + " draws no volume");
     return;
   }
   const bool tabled = options.Technique == MesoTechnique::GDM;
@@ -258,10 +259,15 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   {
     value.At("wrap").Fail("a volume repeats");
   }
+  value.With("volume_colors",
+    [&](const MesoSceneValue& colors) { node.VolumeColors = colors.ToFileName(); });
   if (options.Technique == MesoTechnique::Slices)
   {
-    value.Refuse({ "segments" }, technique + " has no rays that run through prisms");
+    value.Refuse({ "segments", "exits" }, technique + " has no rays that run through prisms");
   }
+  value.With("exits",
+    [&](const MesoSceneValue& kind)
+    { options.Exits = kind.ToChoice<MesoExits>("exits", &MesoExitsFromName, MesoExitsNames()); });
   value.With("segments",
     [&](const MesoSceneValue& number) {
       options.Segments = static_cast<int>(number.ToInteger({ 1., MesoMostSegments, true }));

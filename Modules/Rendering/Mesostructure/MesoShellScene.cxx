@@ -52,6 +52,7 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volu
   shell->SetThickness(options.Scale);
   shell->SetReference(options.Reference);
   shell->SetTiles(options.Tiles[0], options.Tiles[1]);
+  shell->SetInnerFins(options.Exits == MesoExits::Interpolated);
   if (options.Technique == MesoTechnique::Slices)
   {
     const double slices = volume->GetDimensions()[2] * MesoFacetsPerTexel(options.Quality);
@@ -84,16 +85,22 @@ MesoShellVolume MesoReadShellVolume(const MesoSceneNode& node, vtkImageData* hei
   {
     result.Table = MesoReadGDM(node.Baked, place + ".baked");
     result.Volume = MesoVolumeOfGDM(result.Table);
-    return result;
   }
-  result.Volume = node.Volume ? MesoReadVolume(*node.Volume, place + ".volume", warnings)
-                              : MesoVolumeOfHeights(heights, place, warnings);
-  if (options.Technique == MesoTechnique::GDM)
+  else
+  {
+    result.Volume = node.Volume ? MesoReadVolume(*node.Volume, place + ".volume", warnings)
+                                : MesoVolumeOfHeights(heights, place, warnings);
+  }
+  if (options.Technique == MesoTechnique::GDM && !result.Table)
   {
     constexpr int ordinaryRank = 16;
     const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
     result.Table =
       MesoMakeGDM(result.Volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+  }
+  if (!node.VolumeColors.empty())
+  {
+    result.Volume = MesoColoredVolume(result.Volume, node.VolumeColors, place + ".volume_colors");
   }
   return result;
 }

@@ -400,6 +400,7 @@ MesoReferencePoint MesoReferenceSurface::DescribeInShell(
   result.Shading = toWorld(point.Shading);
   result.MapCoord = point.MapCoord;
   result.Relief = point.Relief;
+  result.Color = point.Color;
   result.TexelSize =
     point.VoxelSize * std::cbrt(std::abs(glm::determinant(glm::dmat3(this->Matrix))));
   return result;
