@@ -93,6 +93,53 @@ vtkSmartPointer<vtkDataArray> Kept(int bits, const float* numbers, int component
   std::copy_n(numbers, tuples * components, array->GetPointer(0));
   return array;
 }
+
+/// Each distance becomes the least of those in its direction and in those beside it, around z and along it.
+void TakeLeastOfNeighbours(std::vector<float>& table, const MesoGDMDirections& directions,
+  std::size_t rows, std::size_t slices)
+{
+  const int polars = directions.Polars;
+  const int azimuths = directions.Azimuths;
+  const std::size_t columns = std::size_t(polars) * slices;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(rows),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<float> least(std::size_t(azimuths) * columns);
+      for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)
+      {
+        const auto rowOf = [&](int azimuth)
+        {
+          const int inside = (azimuth + azimuths) % azimuths;
+          return table.data() + (std::size_t(inside) * rows + row) * columns;
+        };
+        for (int azimuth = 0; azimuth < azimuths; ++azimuth)
+        {
+          const float* beside[3] = { rowOf(azimuth - 1), rowOf(azimuth), rowOf(azimuth + 1) };
+          for (int polar = 0; polar < polars; ++polar)
+          {
+            const int first = std::max(polar - 1, 0);
+            const int last = std::min(polar + 1, polars - 1);
+            for (std::size_t k = 0; k < slices; ++k)
+            {
+              float found = beside[1][std::size_t(polar) * slices + k];
+              for (const float* numbers : beside)
+              {
+                for (int near = first; near <= last; ++near)
+                {
+                  found = std::min(found, numbers[std::size_t(near) * slices + k]);
+                }
+              }
+              least[std::size_t(azimuth) * columns + std::size_t(polar) * slices + k] = found;
+            }
+          }
+        }
+        for (int azimuth = 0; azimuth < azimuths; ++azimuth)
+        {
+          std::copy_n(least.data() + std::size_t(azimuth) * columns, columns, rowOf(azimuth));
+        }
+      }
+    });
+}
 }
 
 void vtkMesoGDMTable::SetBits(int bits)
@@ -115,6 +162,7 @@ void vtkMesoGDMTable::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Rank: " << this->Rank << "\n";
   os << indent << "Bits: " << this->Bits << "\n";
   os << indent << "Exact: " << this->Exact << "\n";
+  os << indent << "Cautious: " << this->Cautious << "\n";
   os << indent << "FollowedPart: " << this->FollowedPart << "\n";
 }
 
@@ -246,6 +294,10 @@ bool vtkMesoGDMTable::MakeTable(vtkImageData* volume, std::vector<float>& table)
     this->UpdateProgress(PartOfTable * std::min(done + AtOnce, count) / count);
   }
   this->FollowedPart = this->Exact ? 1. : double(followed) / double(table.size());
+  if (this->Cautious)
+  {
+    TakeLeastOfNeighbours(table, directions, rows, static_cast<std::size_t>(size[2]));
+  }
   return true;
 }
 

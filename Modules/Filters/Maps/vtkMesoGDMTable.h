@@ -93,6 +93,17 @@ public:
   vtkBooleanMacro(Exact, bool);
   ///@}
 
+  ///@{
+  /**
+   * Keep of each distance the least of those in its own direction and in the eight beside it, so that what is looked
+   * up between them passes nothing that one of them meets. What a look-up says is then to be gone on from by the
+   * volume's distance. Default off.
+   */
+  vtkSetMacro(Cautious, bool);
+  vtkGetMacro(Cautious, bool);
+  vtkBooleanMacro(Cautious, bool);
+  ///@}
+
   /// Of the last update: RMS over the table, in tile widths, of what 1, 2, ... Rank products leave of it;
   /// that of the whole numbers is not in it. Empty where Rank is 0.
   const std::vector<double>& GetFactorErrors() const { return this->FactorErrors; }
@@ -126,6 +137,7 @@ private:
   int Rank = 16;
   int Bits = 16;
   bool Exact = false;
+  bool Cautious = false;
   std::vector<double> FactorErrors;
   double FollowedPart = 0.;
 };

@@ -28,6 +28,7 @@ std::map<std::string, MesoBakedParameter> ParametersOf(vtkMesoGDMTable* table)
   add("rank", table->GetRank());
   add("bits", table->GetBits());
   add("exact", table->GetExact());
+  add("cautious", table->GetCautious());
   return parameters;
 }
 }
