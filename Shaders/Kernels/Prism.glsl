@@ -21,6 +21,7 @@ struct PrismSpan
   float Enter;
   float Leave;
   int Face; // by which the ray enters: 0 bottom, 1 top, 2 + k fin k
+  int Exit; // and leaves
 };
 
 const float FAR_ALONG_RAY = 1.0e30;
@@ -99,6 +100,7 @@ PrismSpan prismSpan(Prism p, vec3 origin, vec3 direction, float at)
   span.Enter = stretches[0].x;
   span.Leave = stretches[0].y;
   span.Face = 0;
+  span.Exit = 0;
   for (int i = 1; i < 5; ++i)
   {
     if (stretches[i].x > span.Enter)
@@ -106,7 +108,11 @@ PrismSpan prismSpan(Prism p, vec3 origin, vec3 direction, float at)
       span.Enter = stretches[i].x;
       span.Face = i;
     }
-    span.Leave = min(span.Leave, stretches[i].y);
+    if (stretches[i].y < span.Leave)
+    {
+      span.Leave = stretches[i].y;
+      span.Exit = i;
+    }
   }
   return span;
 }
@@ -164,6 +170,21 @@ vec3 prismPlace(Prism p, vec3 point, vec3 near)
     }
   }
   return place;
+}
+
+// How far along a fin, 0 at its corner and 1 at the next, a place on it is, and the place that is so far.
+float alongFin(int fin, vec3 place)
+{
+  return fin == 0 ? place.x : fin == 1 ? place.y : 1.0 - place.y;
+}
+
+vec3 placeOnFin(int fin, float along, float z)
+{
+  if (fin == 0)
+  {
+    return vec3(along, 0.0, z);
+  }
+  return fin == 1 ? vec3(1.0 - along, along, z) : vec3(0.0, 1.0 - along, z);
 }
 
 // A vector that is at right angles to the surface on which a function is constant, from the function's

@@ -6,6 +6,7 @@
 //   MESO_SILHOUETTE      rays beyond the largest polar angle at which there is relief are not drawn
 //   MESO_VDM_FLAT_SHADOW light comes out of a flat base, as in the paper
 //   MESO_VDM_NEAREST     the largest angle is that of the nearest texel, as in the paper
+//   MESO_FILTER          where texels are smaller than pixels, all are those of a level of their pyramids
 
 // 1 / tile, of the base along a direction over the map: quadric z = c rho^2 / 2, in units of the depth.
 float tableCurvature(MesoFragment f, VDMLayout table, vec2 over)
@@ -18,18 +19,29 @@ float tableCurvature(MesoFragment f, VDMLayout table, vec2 over)
 #endif
 }
 
+// The table's level whose texels are as large as those of the height map's level that is drawn.
+float tableLevel()
+{
+#ifdef MESO_FILTER
+  vec2 texels = mesoVDMTexels / vec2(mapSize());
+  return max(mesoLevel + 0.5 * log2(texels.x * texels.y), 0.0);
+#else
+  return 0.0;
+#endif
+}
+
 // What the table stores for a ray. Steeper ones than its first are between that and the normal, along which
 // the map itself is the table.
 float lookUp(VDMLayout table, vec2 mapCoord, VDMDirection ray, float curvature, inout int fetches)
 {
   float stored = sampleVDM(mapCoord, ray.Turns, vdmPolarPlace(table, ray.Polar),
-    vdmCurvaturePlace(table, curvature), 0.0, fetches);
+    vdmCurvaturePlace(table, curvature), tableLevel(), fetches);
   float steeper = vdmSteeper(table, ray.Polar);
   if (steeper > 0.0)
   {
     VDMPoint below;
     below.Offset = 0.0;
-    below.Depth = (1.0 - bilinearHeight(mapCoord)) * table.Depth;
+    below.Depth = (1.0 - sampleHeight(mapCoord)) * table.Depth;
     below.RayLength = below.Depth;
     stored = mix(stored, vdmNumber(table, 0.0, 1.0, curvature, below) / table.Range, steeper);
     fetches += 1;
@@ -51,7 +63,7 @@ bool missesRelief(
   vec2 mapCoord = f.MapCoord;
 #endif
   return ray.Polar > VDMRightAngle *
-      sampleMVM(mapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), 0.0, fetches);
+      sampleMVM(mapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), tableLevel(), fetches);
 }
 
 bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
@@ -86,7 +98,7 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   hit.RayLength = point.RayLength / ray.Length;
   hit.MapCoord = f.MapCoord + point.Offset * ray.Over;
   // As the map has it there, from where light is followed.
-  hit.Relief = 1.0 - bilinearHeight(hit.MapCoord);
+  hit.Relief = 1.0 - sampleHeight(hit.MapCoord);
   hit.TexelReads = 8 * hit.Fetches + 4;
   hit.Fetches += 1;
   return true;
@@ -104,7 +116,7 @@ vec3 reliefNormal(MesoFragment f, MesoSurfaceHit hit, vec2 gradient)
 // mean square error.
 float shadowTolerance(MesoFragment f, MesoSurfaceHit hit, VDMLayout table, VDMDirection into)
 {
-  vec2 slope = -table.Depth * patchGradient(hit.MapCoord); // of the facet's depth
+  vec2 slope = -table.Depth * surfaceFacet(hit.MapCoord); // of the facet's depth
   float along = dot(slope, into.Over);
   float across = into.Over.x * slope.y - into.Over.y * slope.x;
   // Depth that ray and facet gain on each other, a depth of the ray.
@@ -120,7 +132,7 @@ float shadowTolerance(MesoFragment f, MesoSurfaceHit hit, VDMLayout table, VDMDi
   float azimuthStep = VDMTurn / float(MESO_VDM_AZIMUTHS);
   float bent = 0.125 * depth *
     (polarStep * polarStep * polarBend + azimuthStep * azimuthStep * azimuthBend);
-  float aside = dot(abs(slope), 0.5 / mesoVDMTexels) / closing;
+  float aside = dot(abs(slope), 0.5 * exp2(tableLevel()) / mesoVDMTexels) / closing;
   return (bent + aside + 2.0 * mesoVDMError) / into.Cosine;
 }
 

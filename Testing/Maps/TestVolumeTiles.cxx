@@ -5,12 +5,14 @@
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMesoMeshTile.h"
 #include "vtkMesoVolumeTile.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -145,6 +147,26 @@ TEST(VolumeTile, InterpolatesOverTheBorderWhereTheGridIsFiner)
   EXPECT_NEAR(At(output, 0, 0, 0), 0.25 * 3., 1e-6); // between the last and the first
   EXPECT_NEAR(At(output, 3, 0, 0), 1.25, 1e-6);
   EXPECT_NEAR(At(output, 3, 0, 3), 11.25, 1e-6); // and no further in z
+}
+
+TEST(VolumeTile, TellsTheNextFilterHowLargeItIs)
+{
+  vtkNew<vtkMesoVolumeTile> tile;
+  tile->SetInputData(Image({ 40, 20, 9 }, [](int i, int, int) { return i; }));
+  tile->SetCrop(0, 20, 0, 0, 1, 9);
+  tile->SetBlend(0.25);
+  tile->SetSize(0, 0, 4);
+  tile->UpdateInformation();
+  const int* extent =
+    tile->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  tile->Update();
+  for (int k = 0; k < 6; ++k)
+  {
+    EXPECT_EQ(extent[k], tile->GetOutput()->GetExtent()[k]) << k;
+  }
+  EXPECT_EQ(extent[1], 14);
+  EXPECT_EQ(extent[3], 14);
+  EXPECT_EQ(extent[5], 3);
 }
 
 TEST(VolumeTile, RefusesACropBeyondTheVolume)

@@ -166,12 +166,6 @@ void vtkMesoGDMTable::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FollowedPart: " << this->FollowedPart << "\n";
 }
 
-int vtkMesoGDMTable::FillInputPortInformation(int, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
-}
-
 int vtkMesoGDMTable::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -181,13 +175,6 @@ int vtkMesoGDMTable::RequestInformation(
   extent[5] = this->Azimuths - 1;
   outputVector->GetInformationObject(0)->Set(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  return 1;
-}
-
-int vtkMesoGDMTable::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -38,15 +38,15 @@
 #define vtkMesoGDMTable_h
 
 #include "mesoFiltersMapsModule.h" // for export macro
-#include "vtkImageAlgorithm.h"
+#include "vtkMesoWholeImageAlgorithm.h"
 
 #include <vector> // for errors
 
-class MESOFILTERSMAPS_EXPORT vtkMesoGDMTable : public vtkImageAlgorithm
+class MESOFILTERSMAPS_EXPORT vtkMesoGDMTable : public vtkMesoWholeImageAlgorithm
 {
 public:
   static vtkMesoGDMTable* New();
-  vtkTypeMacro(vtkMesoGDMTable, vtkImageAlgorithm);
+  vtkTypeMacro(vtkMesoGDMTable, vtkMesoWholeImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -115,10 +115,7 @@ protected:
   vtkMesoGDMTable() = default;
   ~vtkMesoGDMTable() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

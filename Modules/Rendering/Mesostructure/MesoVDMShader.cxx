@@ -125,6 +125,7 @@ std::string MesoVDMShader::SetTable(vtkImageData* table)
 void MesoVDMShader::SetOptions(const MesoMesostructureOptions& options)
 {
   this->Options = options;
+  this->Heights.SetMipmaps(options.Filter == MesoFilter::Auto);
   this->SetParts();
 }
 
@@ -186,10 +187,10 @@ MesoShaderShape MesoVDMShader::GetShape() const
   shape.Traces = true;
   shape.UseFrame();
   shape.WritesDepth = effects.Has(MesoEffect::Depth);
-  shape.Chunks = { "Common/HeightAccess.glsl", "Kernels/Frame.glsl", "Kernels/HeightField.glsl",
-    "Kernels/HeightBilinear.glsl", "Common/HeightSurface.glsl", "Kernels/Quadric.glsl",
-    "Kernels/VDMTable.glsl", "Common/VDMAccess.glsl", "Common/ReliefFrame.glsl",
-    "Common/ReliefSurface.glsl", "Techniques/VDM.glsl" };
+  shape.Chunks = { "Common/HeightAccess.glsl", "Common/HeightLevels.glsl", "Kernels/Frame.glsl",
+    "Kernels/HeightField.glsl", "Kernels/HeightBilinear.glsl", "Common/HeightSurface.glsl",
+    "Kernels/Quadric.glsl", "Kernels/VDMTable.glsl", "Common/VDMAccess.glsl",
+    "Common/ReliefFrame.glsl", "Common/ReliefSurface.glsl", "Techniques/VDM.glsl" };
   const MesoVDMLayout& layout = this->Layout;
   shape.Defines = { { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) },
     { "MESO_SURFACE_HEIGHTS", "" }, { "MESO_VDM_AZIMUTHS", std::to_string(layout.Azimuths) },
@@ -202,6 +203,10 @@ MesoShaderShape MesoVDMShader::GetShape() const
     const auto groups = [](int rank) { return std::to_string((rank + Four - 1) / Four); };
     shape.Defines.emplace_back("MESO_VDM_GROUPS", groups(this->Ranks[0]));
     shape.Defines.emplace_back("MESO_MVM_GROUPS", groups(this->Ranks[1]));
+  }
+  if (this->Options.Filter == MesoFilter::Auto)
+  {
+    shape.Defines.emplace_back("MESO_FILTER", "");
   }
   if (this->FlatShadows)
   {
