@@ -43,8 +43,8 @@ void BakeGDM::AddOptions(CLI::App& command)
     ->check(CLI::Range(0.1, 64.));
   command.add_flag("--exact", this->Exact, "Follow each ray by itself: slower");
   command.add_flag("--cautious", this->Cautious,
-    "The least distance of neighbouring directions: what is thin is not passed, but is drawn "
-    "thicker");
+    "Nearer hits of the directions beside: for wires that are thin, as scenes have it from low to "
+    "high");
   command.add_flag("--json", this->Json, "Print what was found as JSON");
   command.footer("Example: meso bake gdm weave -o weave.gdm.vti --size 64x64x32 --rank 16");
 }

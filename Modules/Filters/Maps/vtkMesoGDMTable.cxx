@@ -94,17 +94,36 @@ vtkSmartPointer<vtkDataArray> Kept(int bits, const float* numbers, int component
   return array;
 }
 
-/// Each distance becomes the least of those in its direction and in those beside it, around z and along it.
-void TakeLeastOfNeighbours(std::vector<float>& table, const MesoGDMDirections& directions,
-  std::size_t rows, std::size_t slices)
+/**
+ * Of each distance what meets the solid in one of the eight directions beside its own, around z and along it, where
+ * that is nearer by more than a voxel: so that what is interpolated between them passes nothing that one of them
+ * meets. Elsewhere it stays as it is.
+ */
+void TakeNearerHits(std::vector<float>& table, const MesoVolumeField& field,
+  const MesoGDMDirections& directions, double reach)
 {
+  const auto slices = static_cast<std::size_t>(field.GetSize()[2]);
+  const std::size_t rows = std::size_t(field.GetSize()[0]) * std::size_t(field.GetSize()[1]);
   const int polars = directions.Polars;
   const int azimuths = directions.Azimuths;
   const std::size_t columns = std::size_t(polars) * slices;
+  const float voxel = 1.f / static_cast<float>(std::max(field.GetSize()[0], field.GetSize()[1]));
+  // What rays that meet nothing have, by (theta, z); what is less is a hit.
+  std::vector<float> free(columns);
+  for (int polar = 0; polar < polars; ++polar)
+  {
+    for (std::size_t k = 0; k < slices; ++k)
+    {
+      const double way = MesoVolumeRay::ToPlane(
+        double(k) / double(slices - 1), directions.At(0, polar)[2], field.GetDepth());
+      free[std::size_t(polar) * slices + k] =
+        static_cast<float>(std::min(reach, way)) - 0.1f * voxel;
+    }
+  }
   vtkSMPTools::For(0, static_cast<vtkIdType>(rows),
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<float> least(std::size_t(azimuths) * columns);
+      std::vector<float> nearest(std::size_t(azimuths) * columns);
       for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)
       {
         const auto rowOf = [&](int azimuth)
@@ -121,21 +140,24 @@ void TakeLeastOfNeighbours(std::vector<float>& table, const MesoGDMDirections& d
             const int last = std::min(polar + 1, polars - 1);
             for (std::size_t k = 0; k < slices; ++k)
             {
-              float found = beside[1][std::size_t(polar) * slices + k];
+              const float own = beside[1][std::size_t(polar) * slices + k];
+              float found = own - voxel;
               for (const float* numbers : beside)
               {
                 for (int near = first; near <= last; ++near)
                 {
-                  found = std::min(found, numbers[std::size_t(near) * slices + k]);
+                  const std::size_t column = std::size_t(near) * slices + k;
+                  found = numbers[column] < free[column] ? std::min(found, numbers[column]) : found;
                 }
               }
-              least[std::size_t(azimuth) * columns + std::size_t(polar) * slices + k] = found;
+              nearest[std::size_t(azimuth) * columns + std::size_t(polar) * slices + k] =
+                found < own - voxel ? found : own;
             }
           }
         }
         for (int azimuth = 0; azimuth < azimuths; ++azimuth)
         {
-          std::copy_n(least.data() + std::size_t(azimuth) * columns, columns, rowOf(azimuth));
+          std::copy_n(nearest.data() + std::size_t(azimuth) * columns, columns, rowOf(azimuth));
         }
       }
     });
@@ -283,7 +305,7 @@ bool vtkMesoGDMTable::MakeTable(vtkImageData* volume, std::vector<float>& table)
   this->FollowedPart = this->Exact ? 1. : double(followed) / double(table.size());
   if (this->Cautious)
   {
-    TakeLeastOfNeighbours(table, directions, rows, static_cast<std::size_t>(size[2]));
+    TakeNearerHits(table, field, directions, this->Reach);
   }
   return true;
 }

@@ -95,9 +95,9 @@ public:
 
   ///@{
   /**
-   * Keep of each distance the least of those in its own direction and in the eight beside it, so that what is looked
-   * up between them passes nothing that one of them meets. What a look-up says is then to be gone on from by the
-   * volume's distance. Default off.
+   * Where a ray in one of the eight directions beside its own meets the solid nearer by more than a voxel, keep that
+   * distance: what is interpolated then passes nothing thin, and the volume's distance takes a look-up on from there.
+   * Default off.
    */
   vtkSetMacro(Cautious, bool);
   vtkGetMacro(Cautious, bool);
