@@ -144,12 +144,12 @@ const Picture Pictures[] = {
   { "SurfaceCylinderConfidence", "Documentation/SurfaceCylinderConfidence.json", "400x300" },
 };
 
-/// By TestDirectionsPicture, TestDistancesPicture, TestGDMFigures, TestPaperOutlines, TestPaperQuadrics and
+/// By TestConvergencePicture, TestDirectionsPicture, TestDistancesPicture, TestGDMFigures, TestPaperOutlines, TestPaperQuadrics and
 /// TestVDMPicture.
 const char* const DrawnElsewhere[] = { "CurvedDistances", "FigureCylinderMesh", "FigureObjectsMesh",
   "FigureQuadrics", "FigureSaddleMesh", "FigureTeapotMesh", "FigureTorusMesh", "GDMFigureDistances",
-  "GDMFigureExit", "GDMFigureShadow", "GDMFigureSpaces", "SurfaceBlobDirections",
-  "VDMErrorOverBytes", "VDMErrorOverRank", "VDMShortcut" };
+  "GDMFigureExit", "GDMFigureShadow", "GDMFigureSpaces", "ShellConvergence",
+  "SurfaceBlobDirections", "VDMErrorOverBytes", "VDMErrorOverRank", "VDMShortcut" };
 
 /// By them alone.
 const char* const ScenesDrawnElsewhere[] = { "FigureObjects" };

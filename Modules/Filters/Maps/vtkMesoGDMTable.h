@@ -93,6 +93,17 @@ public:
   vtkBooleanMacro(Exact, bool);
   ///@}
 
+  ///@{
+  /**
+   * Where a ray in one of the eight directions beside its own meets the solid nearer by more than a voxel, keep that
+   * distance: what is interpolated then passes nothing thin, and the volume's distance takes a look-up on from there.
+   * Default off.
+   */
+  vtkSetMacro(Cautious, bool);
+  vtkGetMacro(Cautious, bool);
+  vtkBooleanMacro(Cautious, bool);
+  ///@}
+
   /// Of the last update: RMS over the table, in tile widths, of what 1, 2, ... Rank products leave of it;
   /// that of the whole numbers is not in it. Empty where Rank is 0.
   const std::vector<double>& GetFactorErrors() const { return this->FactorErrors; }
@@ -123,6 +134,7 @@ private:
   int Rank = 16;
   int Bits = 16;
   bool Exact = false;
+  bool Cautious = false;
   std::vector<double> FactorErrors;
   double FollowedPart = 0.;
 };
