@@ -16,6 +16,7 @@
 //                     shadow maps are of the map itself
 #if defined(MESO_AOV) || defined(MESO_CASTER)
 #undef MESO_FILTER
+#undef MESO_CONE_LEVELS
 #endif
 //   MESO_LIGHT_COUNT  number of lights that are on
 
