@@ -70,6 +70,7 @@ vec3 modelPointOf(vec3 positionVC)
 vec3 viewNormal(vec3 normalMC, vec3 viewVC)
 {
   vec3 normalVC = transpose(mesoViewToModel) * normalMC;
-  float size = length(normalVC);
-  return size > 0.0 ? normalVC / size : -viewVC;
+  // Of huge meshes it is so long that its square is none.
+  float most = max(abs(normalVC.x), max(abs(normalVC.y), abs(normalVC.z)));
+  return most > 0.0 && most < 1.0e38 ? normalize(normalVC / most) : -viewVC;
 }

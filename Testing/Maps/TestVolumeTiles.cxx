@@ -261,7 +261,7 @@ TEST(VolumeColors, AreResampledToTheVolume)
     return image;
   };
   const std::pair<int, double> types[] = { { VTK_UNSIGNED_CHAR, 255. },
-    { VTK_UNSIGNED_SHORT, 65535. }, { VTK_FLOAT, 1. }, { VTK_DOUBLE, 7. } };
+    { VTK_UNSIGNED_SHORT, 65535. }, { VTK_FLOAT, 1. }, { VTK_DOUBLE, 1.5 } };
   for (const auto& [type, most] : types)
   {
     EXPECT_EQ(MesoSetVolumeColors(volume, colors(type, 4, most)), "");
