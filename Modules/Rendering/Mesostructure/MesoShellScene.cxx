@@ -92,8 +92,10 @@ MesoShellVolume MesoReadShellVolume(const MesoSceneNode& node, vtkImageData* hei
   {
     constexpr int ordinaryRank = 16;
     const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
-    result.Table =
-      MesoMakeGDM(result.Volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+    // Full and draft show the look-up alone, which no correction takes on from a nearer distance.
+    const bool isWhole = options.Quality == MesoQuality::Full;
+    const bool isCorrected = !isWhole && options.Quality != MesoQuality::Draft;
+    result.Table = MesoMakeGDM(result.Volume, isWhole ? 0 : rank, isCorrected, place, warnings);
   }
   return result;
 }
