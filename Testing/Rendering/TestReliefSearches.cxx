@@ -88,8 +88,14 @@ TEST(ReliefSearches, ConesFollowTheMapAndItsWrap)
   const std::size_t without = plane.Mapper->GetGPUBytes();
   plane.Use(MesoSearch::Certified);
   const std::vector<float> first = plane.Depths();
-  // Four cones of two bytes a texel.
-  EXPECT_EQ(plane.Mapper->GetGPUBytes(), without + Texels * Texels * 8);
+  // Four cones of two bytes a texel; of the pyramid's levels half of these and of the heights again.
+  EXPECT_EQ(plane.Mapper->GetGPUBytes(), without + Texels * Texels * (8 + 4 + 2));
+  MesoMesostructureOptions unfiltered = plane.Mapper->GetOptions();
+  unfiltered.Filter = MesoFilter::None;
+  Plane alone(heights);
+  alone.Mapper->SetOptions(unfiltered);
+  alone.Depths();
+  EXPECT_EQ(alone.Mapper->GetGPUBytes(), Texels * Texels * (8 + 4) + 2u);
 
   // A wall that old cones would let rays through.
   auto* values = vtkFloatArray::SafeDownCast(heights->GetPointData()->GetScalars());
