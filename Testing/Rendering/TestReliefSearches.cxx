@@ -92,10 +92,17 @@ TEST(ReliefSearches, ConesFollowTheMapAndItsWrap)
   EXPECT_EQ(plane.Mapper->GetGPUBytes(), without + Texels * Texels * (8 + 4 + 2));
   MesoMesostructureOptions unfiltered = plane.Mapper->GetOptions();
   unfiltered.Filter = MesoFilter::None;
-  Plane alone(heights);
-  alone.Mapper->SetOptions(unfiltered);
-  alone.Depths();
-  EXPECT_EQ(alone.Mapper->GetGPUBytes(), Texels * Texels * (8 + 4) + 2u);
+  const auto bytesBy = [&](MesoSearch search)
+  {
+    Plane alone(heights);
+    unfiltered.Search = search;
+    alone.Mapper->SetOptions(unfiltered);
+    alone.Depths();
+    return alone.Mapper->GetGPUBytes();
+  };
+  // The second texture is of one texel then.
+  EXPECT_EQ(
+    bytesBy(MesoSearch::Certified), bytesBy(MesoSearch::LinearBinary) + Texels * Texels * 8 + 2);
 
   // A wall that old cones would let rays through.
   auto* values = vtkFloatArray::SafeDownCast(heights->GetPointData()->GetScalars());
