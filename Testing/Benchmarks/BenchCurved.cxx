@@ -334,7 +334,6 @@ void MeasureTime()
     MesoCurvedKind Curved;
     MesoQuality Quality;
     MesoSearch Search = MesoSearch::LinearBinary;
-    MesoFilter Filter = MesoFilter::Auto;
   };
   const Setting settings[] = {
     { "relief-quadric draft", MesoTechnique::ReliefQuadric, MesoCurvedKind::Quadric,
@@ -367,7 +366,6 @@ void MeasureTime()
     options.Curved = setting.Curved;
     options.Quality = setting.Quality;
     options.Search = setting.Search;
-    options.Filter = setting.Filter;
     options.Scale = 0.12;
     options.Tiles = { 8., 3. };
     options.Effects.Auto = false; // VTK's mesh shades nothing but itself
