@@ -7,39 +7,28 @@
 // What searches look for.
 float surfaceHeight(vec2 uv)
 {
-#ifdef MESO_CONE_LEVELS
+#if defined(MESO_CONE_LEVELS)
   return heightAtLevel(uv, mesoLevel);
-#endif
-#ifdef MESO_FILTER
-  if (mesoLevel >= 1.0)
-  {
-    return filteredHeight(uv, mesoLevel);
-  }
-  if (mesoLevel > 0.0)
-  {
-    return mix(mapHeight(uv), filteredHeight(uv, 1.0), mesoLevel);
-  }
-#endif
+#elif defined(MESO_FILTER)
+  // All at once, as a branch costs both sides on some devices; the map is read at its corner where it does not
+  // count.
+  float ofMap = mapHeight(mesoLevel < 1.0 ? uv : vec2(0.0));
+  return mix(ofMap, filteredHeight(uv, max(mesoLevel, 1.0)), min(mesoLevel, 1.0));
+#else
   return mapHeight(uv);
+#endif
 }
 
 // dh/du, dh/dv: of the surface itself, or of the shading normal.
 vec2 surfaceSlope(vec2 uv, bool ofFacet)
 {
 #ifdef MESO_FILTER
-  if (mesoLevel >= 1.0)
-  {
-    return gradientOfLevel(uv, mesoLevel);
-  }
+  vec2 place = mesoLevel < 1.0 ? uv : vec2(0.0);
+  vec2 ofMap = ofFacet ? mapFacet(place) : mapGradient(place);
+  return mix(ofMap, gradientOfLevel(uv, max(mesoLevel, 1.0)), min(mesoLevel, 1.0));
+#else
+  return ofFacet ? mapFacet(uv) : mapGradient(uv);
 #endif
-  vec2 slope = ofFacet ? mapFacet(uv) : mapGradient(uv);
-#ifdef MESO_FILTER
-  if (mesoLevel > 0.0)
-  {
-    slope = mix(slope, gradientOfLevel(uv, 1.0), mesoLevel);
-  }
-#endif
-  return slope;
 }
 
 vec2 surfaceGradient(vec2 uv)

@@ -7,21 +7,27 @@
 
 #if defined(MESO_FILTER) && !defined(MESO_CONE_LEVELS)
 #define MESO_STEPS_OF_LEVEL
-int stepsOfLevel(HeightPath path)
-{
-  vec2 span = abs(pathMap(path, 1.0) - pathMap(path, 0.0)) * vec2(mapSize()) * exp2(-mesoLevel);
-  float steps = clamp(2.0 * (span.x + span.y) + 4.0, 4.0, float(MESO_LINEAR_STEPS));
-  return pathSteps(path, int(steps));
-}
 #endif
+
+// Of equal steps, over the level that is looked for.
+int equalSteps(HeightPath path)
+{
+  int most = MESO_LINEAR_STEPS;
+#ifdef MESO_STEPS_OF_LEVEL
+  vec2 span = abs(pathMap(path, 1.0) - pathMap(path, 0.0)) * vec2(mapSize()) * exp2(-mesoLevel);
+  float ofLevel = clamp(2.0 * (span.x + span.y) + 4.0, 4.0, float(MESO_LINEAR_STEPS));
+  most = mesoLevel > 0.0 ? int(ofLevel) : most;
+#endif
+  return pathSteps(path, most);
+}
 
 // First meeting of the path with the relief.
 HeightHit searchRelief(HeightPath path)
 {
-#ifdef MESO_STEPS_OF_LEVEL
+#if defined(MESO_STEPS_OF_LEVEL) && MESO_SEARCH != 0
   if (mesoLevel > 0.0)
   {
-    return searchLinearBinary(path, stepsOfLevel(path), MESO_REFINING_STEPS);
+    return searchLinearBinary(path, equalSteps(path), MESO_REFINING_STEPS);
   }
 #endif
 #if MESO_SEARCH == 3
@@ -31,7 +37,7 @@ HeightHit searchRelief(HeightPath path)
 #elif MESO_SEARCH == 1
   return searchLinearSecant(path, pathSteps(path, MESO_LINEAR_STEPS), MESO_REFINING_STEPS);
 #else
-  return searchLinearBinary(path, pathSteps(path, MESO_LINEAR_STEPS), MESO_REFINING_STEPS);
+  return searchLinearBinary(path, equalSteps(path), MESO_REFINING_STEPS);
 #endif
 }
 
@@ -65,10 +71,10 @@ HeightHit searchKept(MesoFragment f, HeightPath path, float rayLength)
 // 1.0 where the relief blocks a path out of it, else 0.0.
 float reliefOccludes(HeightPath path, out int fetches)
 {
-#ifdef MESO_STEPS_OF_LEVEL
+#if defined(MESO_STEPS_OF_LEVEL) && MESO_SEARCH > 1
   if (mesoLevel > 0.0)
   {
-    return occludedLinear(path, stepsOfLevel(path), fetches);
+    return occludedLinear(path, equalSteps(path), fetches);
   }
 #endif
 #if MESO_SEARCH == 3
@@ -76,7 +82,7 @@ float reliefOccludes(HeightPath path, out int fetches)
 #elif MESO_SEARCH == 2
   return occludedCone(path, pathSteps(path, MESO_LINEAR_STEPS), fetches);
 #else
-  return occludedLinear(path, pathSteps(path, MESO_LINEAR_STEPS), fetches);
+  return occludedLinear(path, equalSteps(path), fetches);
 #endif
 }
 

@@ -27,7 +27,9 @@ struct PatchClearance
 
 PatchClearance clearanceOverPatch(TexelPath path, ivec2 cell, float part)
 {
-  ivec2 low = patchInPeriod(path, cell);
+  int mode = wrapMode();
+  ivec2 low =
+    ivec2(firstPeriod(cell.x, path.Size.x, mode), firstPeriod(cell.y, path.Size.y, mode));
   float height00 = nearHeightOfLevel(low.x, low.y, path.Level);
   float height10 = nearHeightOfLevel(low.x + 1, low.y, path.Level);
   float height01 = nearHeightOfLevel(low.x, low.y + 1, path.Level);
@@ -69,17 +71,6 @@ PatchExit patchExit(TexelPath path, ivec2 cell, float part)
   way.Part = min(part + min(toEdge.x, toEdge.y), 1.0);
   way.AlongU = toEdge.x <= toEdge.y;
   return way;
-}
-
-// The patch that the path is over at a part, its lower left texel.
-ivec2 patchAtPart(TexelPath path, float part)
-{
-  vec2 low = clamp(floor(path.Start + part * path.Span), -1.0e9, 1.0e9);
-  if (wrapMode() == WrapClamp)
-  {
-    low = clamp(low, vec2(-1.0), vec2(path.Size - 1));
-  }
-  return ivec2(low);
 }
 
 // The patch that the path is over at a later part, given the way out of `cell`: at least the next one
@@ -124,13 +115,13 @@ HeightHit searchLevels(HeightPath near, bool inside, int lower, float weight)
     while (!reached && part < 1.0 && search.Iterations < most)
     {
       search.Iterations += 1;
-      vec2 cone = coneOfPatch(texels, patchInPeriod(texels, cell));
+      vec2 cone = coneOfPatch(texels, cell);
       vec2 ahead = coneAhead(texels, cell, cone, part);
       way = patchExit(texels, cell, part);
       end = way.Part;
       if (blended)
       {
-        vec2 coarseCone = coneOfPatch(coarse, patchInPeriod(coarse, coarseCell));
+        vec2 coarseCone = coneOfPatch(coarse, coarseCell);
         ahead = mix(ahead, coneAhead(coarse, coarseCell, coarseCone, part), weight);
         cone.x = mix(cone.x, coarseCone.x, weight);
         coarseWay = patchExit(coarse, coarseCell, part);

@@ -8,19 +8,6 @@
 // Needs HeightCone.glsl
 // Needs LinearSearch.glsl
 
-// How far a path may go on from a part without meeting relief.
-float freePartAt(TexelPath path, float part)
-{
-  vec2 point = clamp(floor(path.Start + part * path.Span), -1.0e9, 1.0e9);
-  ivec2 cell = ivec2(point);
-  if (wrapMode() == WrapClamp)
-  {
-    cell = clamp(cell, ivec2(-1), path.Size - 1);
-  }
-  vec2 cone = coneOfPatch(path, patchInPeriod(path, cell));
-  return freePart(path, coneAhead(path, cell, cone, part), part);
-}
-
 // A step further, but no further than the end: the last of many equal steps falls short of it by
 // rounding.
 float partAfter(float part, float stride, float equalStep)

@@ -333,6 +333,7 @@ void MeasureTime()
     MesoTechnique Technique;
     MesoCurvedKind Curved;
     MesoQuality Quality;
+    MesoSearch Search = MesoSearch::LinearBinary;
   };
   const Setting settings[] = {
     { "relief-quadric draft", MesoTechnique::ReliefQuadric, MesoCurvedKind::Quadric,
@@ -350,6 +351,12 @@ void MeasureTime()
     { "surface low", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface, MesoQuality::Low },
     { "surface medium", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface,
       MesoQuality::Medium },
+    { "surface cone draft", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface,
+      MesoQuality::Draft, MesoSearch::Cone },
+    { "surface cone medium", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface,
+      MesoQuality::Medium, MesoSearch::Cone },
+    { "surface cone high", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface, MesoQuality::High,
+      MesoSearch::Cone },
   };
   for (const Setting& setting : settings)
   {
@@ -358,6 +365,7 @@ void MeasureTime()
     options.Technique = setting.Technique;
     options.Curved = setting.Curved;
     options.Quality = setting.Quality;
+    options.Search = setting.Search;
     options.Scale = 0.12;
     options.Tiles = { 8., 3. };
     options.Effects.Auto = false; // VTK's mesh shades nothing but itself

@@ -415,8 +415,8 @@ void MeasureGrowth(const std::string& map, int width, int height, int rounds)
     {
       const double small = times[i] - times[0];
       const double large = times[i + 1] - times[0];
-      std::printf("%-6s %3.0f  %-28s %6.1f %6.1f %7.2f   %6.1f %6.1f %6.2f\n", map.c_str(),
-        degrees, names[i].c_str(), small, large, large / small, fetches[i], fetches[i + 1],
+      std::printf("%-6s %3.0f  %-28s %6.1f %6.1f %7.2f   %6.1f %6.1f %6.2f\n", map.c_str(), degrees,
+        names[i].c_str(), small, large, large / small, fetches[i], fetches[i + 1],
         fetches[i + 1] / fetches[i]);
     }
     std::fflush(stdout);
@@ -425,8 +425,9 @@ void MeasureGrowth(const std::string& map, int width, int height, int rounds)
 
 void MeasureGrowth(int width, int height, int rounds)
 {
-  std::printf("\nFrom a map of 256 x 256 to one of 4096 x 4096: processor ms beside the plain mesh's, "
-              "and samples\n%-6s %3s  %-28s %6s %6s %7s   %6s %6s %6s\n",
+  std::printf(
+    "\nFrom a map of 256 x 256 to one of 4096 x 4096: processor ms beside the plain mesh's, "
+    "and samples\n%-6s %3s  %-28s %6s %6s %7s   %6s %6s %6s\n",
     "map", "deg", "search", "256", "4096", "ratio", "256", "4096", "ratio");
   for (const char* map : { "brick", "noise" })
   {

@@ -244,7 +244,7 @@ TEST(ReliefSampling, CertifiedFindsTheSameLevels)
     for (const MesoWrap wrap : { MesoWrap::Repeat, MesoWrap::Mirror })
     {
       MesoScene scene = Field(30., "auto");
-      scene.Camera.Position = { 0., -45., 12. };
+      scene.Camera.Position = { 0., -6., 2. };
       scene.Nodes[0].Mesostructure.Technique = *MesoTechniqueFromName(technique);
       scene.Nodes[0].Mesostructure.Wrap = wrap;
       scene.Nodes[0].Mesostructure.Quality = MesoQuality::High;

@@ -95,6 +95,7 @@ public:
 #include MESO_KERNEL(LinearSearch)
 #include MESO_KERNEL(LinearBinarySearch)
 #include MESO_KERNEL(LinearSecantSearch)
+#include MESO_KERNEL(ConeTexel)
 #include MESO_KERNEL(HeightCone)
 #include MESO_KERNEL(CertifiedSearch)
 #include MESO_KERNEL(ConeSearch)
@@ -165,6 +166,7 @@ public:
   using MesoHeightTexture<Real>::MesoHeightTexture;
 #include MESO_KERNEL(HeightBilinear)
 #include MESO_KERNEL(HeightField)
+#include MESO_KERNEL(HeightLevels)
   Real surfaceHeight(RealVec2 uv) const
   {
     return this->mapHeight(uv);
@@ -174,5 +176,8 @@ public:
 #include MESO_KERNEL(PathCut)
 #include MESO_KERNEL(LinearSearch)
 #include MESO_KERNEL(LinearBinarySearch)
+#include MESO_KERNEL(ConeTexel)
+#include MESO_KERNEL(CubicCone)
+#include MESO_KERNEL(ConeSearch)
 };
 // clang-format on

@@ -515,11 +515,16 @@ std::string MesoSearchProblem(const MesoMesostructureOptions& options)
     return "technique relief-quadric-exact has no bounds for the searches cone and certified: its "
            "ray's depth is no parabola; linear-binary and linear-secant find their way";
   }
-  if (bounds && options.Technique == MesoTechnique::ReliefQuadric &&
+  // Over the mesh itself the ray is cut into cubics, which cones bound but no patch solves.
+  const bool cubic = options.Technique == MesoTechnique::ReliefQuadric &&
+    options.Curved == MesoCurvedKind::Surface && MesoSearchOf(options) == MesoSearch::Cone;
+  if (bounds && !cubic && options.Technique == MesoTechnique::ReliefQuadric &&
     options.Curved != MesoCurvedKind::Quadric)
   {
     return std::string("the curved base ") + MesoName(options.Curved) +
-      " has no bounds for the searches cone and certified: its ray's depth is no parabola; "
+      " has no bounds for the search " + MesoName(MesoSearchOf(options)) +
+      ": its ray's depth is no parabola; " +
+      (options.Curved == MesoCurvedKind::Surface ? "cone, " : "") +
       "linear-binary and linear-secant find their way";
   }
   if (bounds && options.Interpolation == MesoInterpolation::Bicubic)

@@ -128,9 +128,11 @@ MesoShaderShape MesoReliefShader::GetShape() const
   // Equal steps are for levels of the map's pyramid in any case.
   shape.Chunks.insert(
     shape.Chunks.end(), { "Kernels/LinearSearch.glsl", "Kernels/LinearBinarySearch.glsl" });
+  const char* bounds =
+    MesoNeedsBaseImage(this->Options) ? "Kernels/CubicCone.glsl" : "Kernels/HeightCone.glsl";
   const std::vector<std::string> chunksOfSearch[] = { {}, { "Kernels/LinearSecantSearch.glsl" },
-    { "Kernels/HeightCone.glsl", "Kernels/ConeSearch.glsl" },
-    { "Kernels/HeightCone.glsl", "Kernels/CertifiedSearch.glsl" } };
+    { "Kernels/ConeTexel.glsl", bounds, "Kernels/ConeSearch.glsl" },
+    { "Kernels/ConeTexel.glsl", bounds, "Kernels/CertifiedSearch.glsl" } };
   const auto& searchChunks = chunksOfSearch[static_cast<int>(search)];
   shape.Chunks.insert(shape.Chunks.end(), searchChunks.begin(), searchChunks.end());
   shape.Chunks.insert(shape.Chunks.end(),
@@ -183,9 +185,13 @@ std::string MesoReliefShader::Activate(vtkOpenGLRenderWindow* window)
   }
   if (MesoNeedsBaseImage(this->Options))
   {
-    return this->Base.GetImage()
+    const std::string problem = this->Base.GetImage()
       ? this->Base.Activate(window, this->Options.Wrap)
       : std::string("there is no image of the base, which vtkMesoBaseImage makes");
+    if (!problem.empty())
+    {
+      return problem;
+    }
   }
   if (!this->UsesCones())
   {
