@@ -42,6 +42,9 @@ void BakeGDM::AddOptions(CLI::App& command)
   command.add_option("--reach", this->Reach, "The largest distance, in tile widths (default: 8)")
     ->check(CLI::Range(0.1, 64.));
   command.add_flag("--exact", this->Exact, "Follow each ray by itself: slower");
+  command.add_flag("--cautious", this->Cautious,
+    "Nearer hits of the directions beside: for wires that are thin, as scenes have it from low to "
+    "high");
   command.add_flag("--json", this->Json, "Print what was found as JSON");
   command.footer("Example: meso bake gdm weave -o weave.gdm.vti --size 64x64x32 --rank 16");
 }
@@ -60,6 +63,7 @@ void BakeGDM::Run()
   table->SetRank(this->Rank);
   table->SetBits(this->Bits);
   table->SetExact(this->Exact);
+  table->SetCautious(this->Cautious);
   this->Output.Update(table);
   vtkImageData* image = table->GetOutput();
   MesoWriteBaked(this->Output.GetFileName(), MesoBakedGDM(table));

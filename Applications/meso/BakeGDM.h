@@ -17,6 +17,7 @@ private:
   std::array<int, 2> Directions = { 16, 32 };
   bool Even = false;
   bool Exact = false;
+  bool Cautious = false;
   double Reach = 8.;
   int Rank = 16;
   int Bits = 16;

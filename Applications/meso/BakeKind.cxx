@@ -123,7 +123,8 @@ void BakeOutput::Update(vtkAlgorithm* algorithm)
   Warn(warnings);
 }
 
-void BakeOutput::WriteStats(const char* kind, vtkImageData* table) const
+void BakeOutput::WriteStats(const char* kind, vtkImageData* table,
+  const std::vector<std::pair<std::string, double>>& more) const
 {
   if (this->StatsFile.empty())
   {
@@ -138,6 +139,10 @@ void BakeOutput::WriteStats(const char* kind, vtkImageData* table) const
     table->GetDimensions()[2] };
   stats["bake_s"] = this->Seconds;
   stats["peak_memory_bytes"] = usage.ru_maxrss * BytesPerKibibyte;
+  for (const auto& [name, number] : more)
+  {
+    stats[name] = number;
+  }
   stats["version"] = MESO_VERSION;
   const std::string text = stats.dump(2) + "\n";
   MesoAtomicFile::Write(this->StatsFile, text.data(), text.size());

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAlgorithm;
@@ -77,8 +78,10 @@ public:
   /// Updates the algorithm under a progress bar; its first error is thrown. Takes the time of it.
   void Update(vtkAlgorithm* algorithm);
 
-  /// Writes --stats, where it was asked for: kind, size, seconds and the process's peak memory.
-  void WriteStats(const char* kind, vtkImageData* table) const;
+  /// Writes --stats, where it was asked for: kind, size, seconds and the process's peak memory, and what
+  /// more a kind has to say.
+  void WriteStats(const char* kind, vtkImageData* table,
+    const std::vector<std::pair<std::string, double>>& more = {}) const;
 
 private:
   std::string FileName;

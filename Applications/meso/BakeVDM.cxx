@@ -1,7 +1,11 @@
 #include "BakeVDM.h"
 
 #include "CommandLine.h"
+#include "MesoBakeCache.h"
+#include "MesoBakeParts.h"
 #include "MesoBakedFile.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMesoVDM.h"
 #include "vtkNew.h"
@@ -9,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <iostream>
 #include <map>
 
 namespace
@@ -121,6 +126,11 @@ void BakeVDM::AddOptions(CLI::App& command)
     "VDM,MVM: factors of distances and of outlines; 0,0: the table itself (default: 8,4)");
   command.add_option("--bits", this->Bits, "Bits of a factor's weight (default: 8)")
     ->check(CLI::IsMember({ 8, 16 }));
+  command
+    .add_option("--resume-after", this->Patience,
+      "Seconds after which what is finished is kept in the cache, for a bake that is stopped to go "
+      "on from (default: 10)")
+    ->check(CLI::Range(0., 1e9));
   AddChoice(command, "--nodes", this->Layout.Nodes, NodeNames, "Where the polar angles lie");
   AddChoice(command, "--stores", this->Layout.Stores, StoredNames, "What is stored");
   AddChoice(command, "--curved", this->Curved, CurvedNames,
@@ -138,7 +148,6 @@ void BakeVDM::Run()
   filter->SetCurved(this->Curved);
   filter->SetRanks(this->Ranks.data());
   filter->SetBits(this->Bits);
-  this->Output.Update(filter);
 
   MesoBaked baked;
   baked.Kind = this->GetName();
@@ -147,11 +156,51 @@ void BakeVDM::Run()
     std::vector<double>{ double(this->Layout.Azimuths), double(this->Layout.Polars) };
   baked.Parameters["curvatures"] = std::vector<double>{ double(this->Layout.Curvatures),
     this->Layout.FirstCurvature, this->Layout.LastCurvature };
-  baked.Parameters["rank"] = std::vector<double>{ double(this->Ranks[0]), double(this->Ranks[1]) };
   baked.Parameters["nodes"] = NameOf(NodeNames, this->Layout.Nodes);
   baked.Parameters["stores"] = NameOf(StoredNames, this->Layout.Stores);
   baked.Parameters["curved"] = NameOf(CurvedNames, this->Curved);
+
+  // Rays are the same whatever ranks and bits their numbers end as.
+  std::map<std::string, MesoBakedParameter> rays = baked.Parameters;
+  rays["version"] = std::vector<double>{ MesoVDMVersion };
+  rays["heights"] = MesoContentOf(vtkImageData::SafeDownCast(filter->GetInput()));
+  rays["size"] = std::vector<double>{ double(this->Layout.Width), double(this->Layout.Height) };
+  MesoBakeParts parts(this->GetName(), rays, this->Patience);
+  filter->SetParts({ [&](int azimuth, float* numbers, std::size_t count)
+    { return parts.Take(azimuth, numbers, count); },
+    [&](int azimuth, const float* numbers, std::size_t count)
+    { parts.Keep(azimuth, numbers, count); } });
+  this->Output.Update(filter);
+
+  baked.Parameters["rank"] = std::vector<double>{ double(this->Ranks[0]), double(this->Ranks[1]) };
   baked.Table = filter->GetOutput();
   MesoWriteBaked(this->Output.GetFileName(), baked);
-  this->Output.WriteStats(this->GetName(), baked.Table);
+  parts.Remove();
+  if (parts.GetTaken() > 0)
+  {
+    std::cout << "went on from " << parts.GetTaken() << " of " << this->Layout.Azimuths
+              << " azimuths that an earlier bake left\n";
+  }
+  if (!parts.GetProblem().empty())
+  {
+    std::cerr << "meso: warning: parts were not kept: " << parts.GetProblem() << "\n";
+  }
+  this->WriteStats(filter, parts.GetTaken());
+}
+
+void BakeVDM::WriteStats(vtkMesoVDM* filter, int taken) const
+{
+  vtkFieldData* data = filter->GetOutput()->GetFieldData();
+  std::vector<std::pair<std::string, double>> stats = { { "rays_s", filter->GetRaySeconds() },
+    { "factors_s", filter->GetFactorSeconds() }, { "azimuths_taken", double(taken) },
+    { "between_angles_rms_tiles",
+      data->GetArray("AngularError")->GetTuple1(0) * this->Layout.Range() } };
+  if (vtkDataArray* errors = data->GetArray("FactorErrors"))
+  {
+    constexpr double RightAngle = 90.;
+    stats.emplace_back("factors_rms_tiles", errors->GetTuple1(0) * this->Layout.Range());
+    stats.emplace_back("factors_max_tiles", errors->GetTuple1(1) * this->Layout.Range());
+    stats.emplace_back("outline_rms_degrees", errors->GetTuple1(2) * RightAngle);
+  }
+  this->Output.WriteStats(this->GetName(), filter->GetOutput(), stats);
 }

@@ -161,7 +161,8 @@ BenchScene::BenchScene(
 {
   this->Content = BytesOf(file) + BytesOfFiles(this->Scene.Nodes);
   std::copy_if(settings.Arms.begin(), settings.Arms.end(), std::back_inserter(this->Arms),
-    [this](const BenchArm& arm) { return CanDraw(this->Scene, arm.Technique); });
+    [this](const BenchArm& arm)
+    { return CanDraw(this->Scene, arm.Technique, this->Settings.MapsAsVolumes); });
 }
 
 double BenchScene::Steps() const

@@ -39,12 +39,13 @@ struct BenchSettings
   std::string Folder;
   std::vector<BenchArm> Arms;
   std::array<int, 2> Size = { 512, 384 };
-  int WarmUp = 5;        ///< rounds of frames before those that count
-  int Runs = 20;         ///< rounds that count
-  bool Quick = false;    ///< fewer settings of what is scaled
-  bool Fresh = false;    ///< measure again what the folder holds already
-  bool Ablation = false; ///< measure each effect's share as well
-  bool Scaling = false;  ///< and how time grows with pixels, triangles, texels and lights
+  int WarmUp = 5;             ///< rounds of frames before those that count
+  int Runs = 20;              ///< rounds that count
+  bool Quick = false;         ///< fewer settings of what is scaled
+  bool Fresh = false;         ///< measure again what the folder holds already
+  bool Ablation = false;      ///< measure each effect's share as well
+  bool MapsAsVolumes = false; ///< draw maps by techniques of volumes too, which takes long
+  bool Scaling = false;       ///< and how time grows with pixels, triangles, texels and lights
 };
 
 #endif

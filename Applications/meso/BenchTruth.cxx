@@ -20,7 +20,7 @@ bool Draws(const MesoSceneNode& node, MesoTechnique technique)
   }
   if (MesoUsesVolume(technique))
   {
-    return node.Volume.has_value();
+    return node.Volume || node.Map; // a map is made a volume
   }
   return MesoUsesHeightMap(technique) ? node.Map.has_value()
                                       : node.Mesostructure.Technique == technique;
@@ -31,6 +31,17 @@ bool AnyDraws(const std::vector<MesoSceneNode>& nodes, MesoTechnique technique)
   return std::any_of(nodes.begin(), nodes.end(),
     [technique](const MesoSceneNode& node)
     { return Draws(node, technique) || AnyDraws(node.Children, technique); });
+}
+
+/// Whether any node has a volume, or is itself drawn as one.
+bool HasVolumes(const std::vector<MesoSceneNode>& nodes)
+{
+  return std::any_of(nodes.begin(), nodes.end(),
+    [](const MesoSceneNode& node)
+    {
+      return node.Volume || MesoUsesVolume(node.Mesostructure.Technique) ||
+        HasVolumes(node.Children);
+    });
 }
 
 void SetTechnique(std::vector<MesoSceneNode>& nodes, MesoTechnique technique,
@@ -63,6 +74,28 @@ bool HaveModels(const std::vector<MesoSceneNode>& nodes)
       return ((!node.Map && !node.Volume) || MesoTechniqueModel::HasModel(node.Mesostructure)) &&
         HaveModels(node.Children);
     });
+}
+
+/// The technique that stands for what is true of each node: where the scene itself draws its map as a volume, the
+/// solid below the relief, with its sides at open edges; else the relief.
+void SetTrueTechniques(std::vector<MesoSceneNode>& nodes)
+{
+  for (MesoSceneNode& node : nodes)
+  {
+    MesoMesostructureOptions& options = node.Mesostructure;
+    if (node.Map || node.Volume)
+    {
+      const bool isSolid = node.Volume || MesoUsesVolume(options.Technique);
+      options.Technique = isSolid ? MesoTechnique::ShellSDF : MesoTechnique::Relief;
+      options.Effects = MesoEffectChoice();
+      options.Search.reset();
+      if (options.Quality == MesoQuality::Full || options.Quality == MesoQuality::Certified)
+      {
+        options.Quality = MesoQuality::High;
+      }
+    }
+    SetTrueTechniques(node.Children);
+  }
 }
 
 void CollectNodes(
@@ -100,7 +133,8 @@ bool HasSmoothSurface(const MesoScene& scene)
   for (const MesoSceneNode* node : nodes)
   {
     // A volume's shell is made of the mesh's triangles, whatever they stand for.
-    if (!node->Mesh->File.empty() || node->Volume || node->Part)
+    if (!node->Mesh->File.empty() || node->Volume || node->Part ||
+      MesoUsesVolume(node->Mesostructure.Technique))
     {
       return false;
     }
@@ -114,8 +148,12 @@ bool HasSmoothSurface(const MesoScene& scene)
   return curved;
 }
 
-bool CanDraw(const MesoScene& scene, MesoTechnique technique)
+bool CanDraw(const MesoScene& scene, MesoTechnique technique, bool mapsAsVolumes)
 {
+  if (MesoUsesVolume(technique) && !mapsAsVolumes)
+  {
+    return HasVolumes(scene.Nodes);
+  }
   return technique == MesoTechnique::Plain || AnyDraws(scene.Nodes, technique);
 }
 
@@ -130,9 +168,9 @@ MesoScene WithTechnique(const MesoScene& scene, MesoTechnique technique,
 void WriteTruth(const MesoScene& scene, BenchSurface surface, const std::array<int, 2>& size,
   const std::string& stem)
 {
-  // Any technique that draws maps stands for the displaced surface, and one for volumes.
-  const MesoScene displaced = WithTechnique(scene, MesoTechnique::Relief, std::nullopt);
-  const MesoReference reference(WithTechnique(displaced, MesoTechnique::ShellSDF, std::nullopt),
+  MesoScene displaced = scene;
+  SetTrueTechniques(displaced.Nodes);
+  const MesoReference reference(displaced,
     surface == BenchSurface::Mesh ? MesoReference::Surface::Mesh : MesoReference::Surface::Smooth);
   const MesoReferenceResult result = reference.Render(size[0], size[1]);
   const MesoExrImage& aovs = result.AOVs;

@@ -20,8 +20,9 @@ const char* MesoName(BenchSurface surface);
 /// without volumes, and one of them is curved.
 bool HasSmoothSurface(const MesoScene& scene);
 
-/// Whether a scene holds what a technique draws: a map, a volume, or a node of its own.
-bool CanDraw(const MesoScene& scene, MesoTechnique technique);
+/// Whether a scene holds what a technique draws: a map, a volume, or a node of its own. Techniques of volumes
+/// draw maps too: where the scene itself has them drawn so, or `mapsAsVolumes`.
+bool CanDraw(const MesoScene& scene, MesoTechnique technique, bool mapsAsVolumes);
 
 /// The scene with every node that holds what a technique draws drawn by it, with all its effects, and by
 /// this search.

@@ -76,7 +76,8 @@ CommandBench::CommandBench(CLI::App& app)
       this->Techniques =
         ParseList("--techniques", text, MesoTechniqueFromName, MesoTechniqueNames());
     },
-    "List of techniques (default: all): " + JoinNames(MesoTechniqueNames()));
+    "List of techniques (default: all, those of volumes for what is drawn as a volume): " +
+      JoinNames(MesoTechniqueNames()));
   command->add_option_function<std::string>(
     "--qualities",
     [this](const std::string& text)
@@ -164,6 +165,7 @@ int CommandBench::Run()
   }
   this->Settings.Size = this->Size.value_or(this->Settings.Size);
   this->Settings.Arms = this->Arms();
+  this->Settings.MapsAsVolumes = !this->Techniques.empty();
 
   const std::string device = DeviceName();
   std::vector<BenchScene> scenes;

@@ -90,7 +90,7 @@ void CommandRender::Override(std::vector<MesoSceneNode>& nodes) const
     // A node without a map or a volume has nothing that another technique could draw.
     if (this->Technique &&
       (*this->Technique == MesoTechnique::Plain ||
-        (MesoUsesVolume(*this->Technique) ? node.Volume.has_value() : node.Map.has_value())))
+        (node.Volume ? MesoUsesVolume(*this->Technique) : node.Map.has_value())))
     {
       options.Technique = *this->Technique;
       options.Effects = MesoEffectChoice();

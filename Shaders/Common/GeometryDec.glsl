@@ -17,6 +17,12 @@ out float mesoReliefGSOutput;
 #ifdef MESO_PRISMS
 flat in float mesoPrismVSOutput[];
 flat out float mesoPrismGSOutput;
+#ifdef MESO_EXITS
+in vec4 mesoLowerExitsVSOutput[];
+in vec4 mesoUpperExitsVSOutput[];
+out vec4 mesoLowerExitsGSOutput;
+out vec4 mesoUpperExitsGSOutput;
+#endif
 #endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput[];

@@ -10,6 +10,10 @@
 #endif
 #ifdef MESO_PRISMS
     mesoPrismGSOutput = mesoPrismVSOutput[i];
+#ifdef MESO_EXITS
+    mesoLowerExitsGSOutput = mesoLowerExitsVSOutput[i];
+    mesoUpperExitsGSOutput = mesoUpperExitsVSOutput[i];
+#endif
 #endif
 #ifdef MESO_FRAME
     mesoNormalMCGSOutput = mesoNormalMCVSOutput[i];

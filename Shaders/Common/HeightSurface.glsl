@@ -2,10 +2,14 @@
 // Kernels/HeightBicubic and, with MESO_FILTER, on Common/HeightLevels.
 //   MESO_FILTER   where texels are smaller than pixels it is that of a level of the map's pyramid; from
 //                 the map itself to its first level it goes over step by step
+//   MESO_CONE_LEVELS   the levels are those of Kernels/HeightLevels, exactly
 
 // What searches look for.
 float surfaceHeight(vec2 uv)
 {
+#ifdef MESO_CONE_LEVELS
+  return heightAtLevel(uv, mesoLevel);
+#endif
 #ifdef MESO_FILTER
   if (mesoLevel >= 1.0)
   {
@@ -67,6 +71,9 @@ float levelOfPixel(MesoFragment f, vec2 mapDx, vec2 mapDy)
   vec2 size = vec2(mapSize());
   float texels = abs(mapDx.x * mapDy.y - mapDx.y * mapDy.x) * size.x * size.y;
   float level = gentleness(f) * (0.5 * log2(max(texels, 4.0)) - 1.0);
+#ifdef MESO_CONE_LEVELS
+  level = min(level, float(mesoLastLevel));
+#endif
   return level < 30.0 ? level : 0.0; // else not a number: there is no map
 }
 #endif

@@ -22,7 +22,8 @@ float mesoBlocked[MESO_LIGHT_COUNT]; // the fraction that does not arrive
 #endif
 #ifdef MESO_CAST_SHADOW
 vec3 mesoFacetVC; // normal of the base mesh's triangle
-float castFraction(int light, vec3 positionVC, vec3 facetVC, float below, float thickness);
+float castFraction(
+  int light, vec3 positionVC, vec3 facetVC, float below, float thickness, float followed);
 #endif
 
 // VTK's headlight is directional along the view axis.
@@ -80,11 +81,15 @@ MesoLight positionalLight(vec3 positionVC, int positional, vec3 lightDirectionVC
 float castOn(int light, vec3 positionVC)
 {
   mesoShadowFetches += 1;
-#if defined(MESO_SURFACE) && defined(MESO_FRAME)
+#if defined(MESO_SURFACE) && defined(MESO_PRISMS)
+  vec3 way;
+  float followed = lengthFollowed(-mesoLights[light].TravelVC, mesoLights[light].Distance, way);
+  return castFraction(light, positionVC, mesoHit.FacetNormalVC, 0.0, 0.0, followed);
+#elif defined(MESO_SURFACE) && defined(MESO_FRAME)
   float thickness = length(mesoFragment.PerDepth);
-  return castFraction(light, positionVC, mesoFacetVC, mesoHit.Relief * thickness, thickness);
+  return castFraction(light, positionVC, mesoFacetVC, mesoHit.Relief * thickness, thickness, 0.0);
 #else
-  return castFraction(light, positionVC, mesoFacetVC, 0.0, 0.0);
+  return castFraction(light, positionVC, mesoFacetVC, 0.0, 0.0, 0.0);
 #endif
 }
 #endif

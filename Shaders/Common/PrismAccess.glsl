@@ -5,31 +5,28 @@ uniform mat3 mesoViewToModel;  // of directions
 uniform vec3 mesoBaseCentreVC; // the table's centre
 uniform float mesoNearVC;      // distance of the near plane from the eye, along its axis
 
-const int MESO_PRISM_ROWS = 7; // of the table, for each prism
+const int MESO_PRISM_ROWS = 7;       // of the table, for each prism
+const int MESO_PRISMS_IN_LINE = 1024; // of the texture: MesoPrismTexture's
 
-// How map coordinates lie over a prism: linear in b1 and b2.
+// How map coordinates lie over a prism, linear in b1 and b2, and where they go on.
 struct PrismChart
 {
   vec2 Map;
   vec2 AlongB1;
   vec2 AlongB2;
+  ivec3 Beyond; // numbers of the prisms beyond the fins, -1: none
 };
-
-vec4 fetchPrismRow(int row)
-{
-  int width = textureSize(mesoPrisms, 0).x;
-  return texelFetch(mesoPrisms, ivec2(row % width, row / width), 0);
-}
 
 Prism fetchPrism(int number, out PrismChart chart)
 {
-  int first = MESO_PRISM_ROWS * number;
-  vec4 bottom0 = fetchPrismRow(first);
-  vec4 bottom1 = fetchPrismRow(first + 1);
-  vec4 bottom2 = fetchPrismRow(first + 2);
-  vec4 rise0 = fetchPrismRow(first + 3);
-  vec4 rise1 = fetchPrismRow(first + 4);
-  vec4 rise2 = fetchPrismRow(first + 5);
+  int line = number / MESO_PRISMS_IN_LINE;
+  ivec2 first = ivec2(MESO_PRISM_ROWS * (number - line * MESO_PRISMS_IN_LINE), line);
+  vec4 bottom0 = texelFetch(mesoPrisms, first, 0);
+  vec4 bottom1 = texelFetch(mesoPrisms, first + ivec2(1, 0), 0);
+  vec4 bottom2 = texelFetch(mesoPrisms, first + ivec2(2, 0), 0);
+  vec4 rise0 = texelFetch(mesoPrisms, first + ivec2(3, 0), 0);
+  vec4 rise1 = texelFetch(mesoPrisms, first + ivec2(4, 0), 0);
+  vec4 rise2 = texelFetch(mesoPrisms, first + ivec2(5, 0), 0);
   Prism p;
   p.Bottom0 = bottom0.xyz;
   p.Bottom1 = bottom1.xyz;
@@ -37,7 +34,9 @@ Prism fetchPrism(int number, out PrismChart chart)
   p.Rise0 = rise0.xyz;
   p.Rise1 = rise1.xyz;
   p.Rise2 = rise2.xyz;
-  p.Flags = int(fetchPrismRow(first + 6).x);
+  vec4 links = texelFetch(mesoPrisms, first + ivec2(6, 0), 0);
+  p.Flags = int(links.x);
+  chart.Beyond = ivec3(links.yzw);
   chart.Map = vec2(bottom0.w, rise0.w) * mesoTiles;
   chart.AlongB1 = vec2(bottom1.w, rise1.w) * mesoTiles - chart.Map;
   chart.AlongB2 = vec2(bottom2.w, rise2.w) * mesoTiles - chart.Map;

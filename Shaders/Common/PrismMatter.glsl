@@ -9,7 +9,8 @@ vec3 facetGradient(vec3 place);
 bool matterBlocks(vec3 from, vec3 span, out int fetches);
 
 // Light that runs further than this many tiles along the shell before it leaves it is not followed on: the
-// straight way in texture space stands for the curved one only near by.
+// straight way in texture space stands for the curved one only near by. What blocks it from there on is in the
+// shadow map.
 const float MESO_MAX_SHADOW_TILES = 4.0;
 
 Prism mesoPrism;
@@ -39,21 +40,15 @@ void takeMatterNormals(MesoFragment f, inout MesoSurfaceHit hit)
 #endif
 }
 
-// The way of light in texture space is taken as straight, as over a flat base (Wang2004, section 3.2).
-float blockedFraction(
-  MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
+// How far light is followed from the hit, and its way in texture space per length: straight, as over a flat
+// base (Wang2004, section 3.2).
+float lengthFollowed(vec3 lightOutVC, float lightDistance, out vec3 way)
 {
-  fetches = 0;
-  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
-  {
-    return 1.0;
-  }
-#ifdef MESO_SELF_SHADOW
+  way = chartWay(mesoChart, prismRates(mesoPrism, mesoPlace, mesoViewToModel * lightOutVC));
   if (mesoAtCut)
   {
     return 0.0; // light leaves the shell here
   }
-  vec3 way = chartWay(mesoChart, prismRates(mesoPrism, mesoPlace, mesoViewToModel * lightOutVC));
   float reach = lightDistance;
   if (way.z != 0.0)
   {
@@ -64,6 +59,20 @@ float blockedFraction(
   {
     reach = MESO_MAX_SHADOW_TILES / along;
   }
+  return max(reach, 0.0);
+}
+
+float blockedFraction(
+  MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
+{
+  fetches = 0;
+  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
+  {
+    return 1.0;
+  }
+#ifdef MESO_SELF_SHADOW
+  vec3 way;
+  float reach = lengthFollowed(lightOutVC, lightDistance, way);
   if (reach > 0.0 && matterBlocks(chartPlace(mesoChart, mesoPlace), reach * way, fetches))
   {
     return 1.0;

@@ -1,32 +1,28 @@
 // The contract of a technique for those that draw a shell of prisms: one fragment for each stretch of the
-// ray in a prism, its entry where the prism's face looks to the eye. The way through the prism is taken
-// as straight in texture space, or cut into several straight pieces (Wang2004, section 3.2). Stands on
-// Common/PrismMatter. The technique itself defines the function that is declared here.
+// ray in the shell, where it comes in by a face that looks to the eye. From there it is followed from prism to prism.
+// The way through each is taken as straight in texture space, or cut into several straight pieces
+// (Wang2004, section 3.2). Stands on Common/PrismMatter. The technique itself defines the function that is declared here.
 //   MESO_SEGMENTS  straight pieces of a ray's way through a prism
 
 // The first meeting with matter of a straight way in texture space, part in [0, 1]; at part 0 where it
 // starts in matter.
 VolumeHit meetMatter(vec3 from, vec3 span);
+// The same meeting, as near as the technique can say. All that is done once, at the end, is kept out of the loop
+// over prisms: devices that run several pixels as one do there what one of them does for all.
+VolumeHit refineMeeting(vec3 from, vec3 span, VolumeHit hit);
 
-// The stretch of the fragment's ray that it answers for; Leave < Enter where it answers for none.
-PrismSpan stretchOfFragment(MesoFragment f, bool frontFacing)
-{
-  PrismSpan span =
-    prismSpan(mesoPrism, modelPointOf(f.PositionVC), mesoViewToModel * f.ViewVC, 0.0);
-  float nearest = (-mesoNearVC - f.PositionVC.z) / min(f.ViewVC.z, -1.0e-6);
-  // Where the eye is inside the prism no face looks to it; then the ray's exit answers.
-  bool eyeInside = span.Enter < nearest;
-  if (!frontFacing && !eyeInside)
-  {
-    span.Leave = span.Enter - 1.0;
-  }
-  if (eyeInside)
-  {
-    span.Enter = nearest;
-    span.Face = -1;
-  }
-  return span;
-}
+// Prisms that a ray is followed through before it is given up, and those of them that it has nothing of, as
+// rounding may have it at their edges.
+const int MESO_MOST_PRISMS = 4096;
+const int MESO_MOST_MISSED = 16;
+
+// Where the fragment's ray begins to be in the shell, as a stretch in mesoPrism, and near which (b1, b2, z);
+// false where another fragment answers for it. Only with the eye in the shell do backs of faces answer, for rays
+// that come out of it here.
+bool beginStretch(MesoFragment f, bool frontFacing, vec3 origin, vec3 direction,
+  out PrismSpan span, inout vec3 place);
+// Goes on to the next stretch, in the next prism; false where there is none.
+bool nextStretch(vec3 origin, vec3 direction, inout PrismSpan span);
 
 // Whether the shell is cut open where the ray came in: matter that is met there shows its cut.
 bool entersByCut(PrismSpan span)
@@ -53,43 +49,81 @@ void takeNormals(MesoFragment f, PrismSpan span, bool atStart, inout MesoSurface
   }
 }
 
+// A piece of a ray's way, straight in texture space, in mesoPrism, and what is met on it.
+struct ShellPiece
+{
+  float Start; // along the ray
+  float End;
+  vec3 Before; // (b1, b2, z)
+  vec3 After;
+  bool First; // of its prism
+  VolumeHit Met;
+};
+
+// Follows a stretch of a ray in mesoPrism, from piece.After, until matter is met.
+void followInPrism(
+  PrismSpan span, vec3 origin, vec3 direction, inout ShellPiece piece, inout MesoSurfaceHit hit)
+{
+  piece.End = span.Enter;
+  for (int i = 1; i <= MESO_SEGMENTS && !piece.Met.Found; ++i)
+  {
+    piece.First = i == 1;
+    piece.Start = piece.End;
+    piece.Before = piece.After;
+    piece.End = mix(span.Enter, span.Leave, float(i) / float(MESO_SEGMENTS));
+    piece.After = prismPlace(mesoPrism, origin + piece.End * direction, piece.Before);
+    piece.Met = meetMatter(
+      chartPlace(mesoChart, piece.Before), chartWay(mesoChart, piece.After - piece.Before));
+    hit.Fetches += piece.Met.Fetches;
+    hit.Iterations += piece.Met.Steps;
+  }
+}
+
 MesoSurfaceHit traceSurface(MesoFragment f)
 {
   MesoSurfaceHit hit = baseSurface(f);
-  hit.Found = false;
   mesoAtCut = false;
-  mesoPrism = fetchPrism(int(mesoPrismVSOutput + 0.5), mesoChart);
-  PrismSpan span = stretchOfFragment(f, gl_FrontFacing);
-  if (span.Leave < span.Enter)
-  {
-    return hit;
-  }
   vec3 origin = modelPointOf(f.PositionVC);
   vec3 direction = mesoViewToModel * f.ViewVC;
-  float start = span.Enter;
-  vec3 before =
-    prismPlace(mesoPrism, origin + start * direction, vec3(1.0 / 3.0, 1.0 / 3.0, 0.5));
-  for (int i = 1; i <= MESO_SEGMENTS; ++i)
+  PrismSpan span;
+  ShellPiece piece;
+  piece.After = vec3(1.0 / 3.0, 1.0 / 3.0, 0.5);
+  bool within = beginStretch(f, gl_FrontFacing, origin, direction, span, piece.After);
+  piece.Met.Found = false;
+  int missed = 0;
+  for (int i = 0; within && i < MESO_MOST_PRISMS && missed < MESO_MOST_MISSED; ++i)
   {
-    float end = mix(span.Enter, span.Leave, float(i) / float(MESO_SEGMENTS));
-    vec3 after = prismPlace(mesoPrism, origin + end * direction, before);
-    vec3 from = chartPlace(mesoChart, before);
-    VolumeHit found = meetMatter(from, chartWay(mesoChart, after - before));
-    hit.Fetches += found.Fetches;
-    hit.TexelReads += 8 * found.Fetches;
-    hit.Iterations += found.Steps;
-    if (found.Found)
+    if (span.Enter <= span.Leave)
     {
-      hit.Found = true;
-      hit.RayLength = mix(start, end, found.Part);
-      mesoPlace = mix(before, after, found.Part);
-      hit.MapCoord = chartPlace(mesoChart, mesoPlace).xy;
-      hit.Relief = clamp(1.0 - mesoPlace.z, 0.0, 1.0);
-      takeNormals(f, span, i == 1 && found.Part == 0.0, hit);
-      return hit;
+      piece.After = prismPlace(mesoPrism, origin + span.Enter * direction, piece.After);
+      followInPrism(span, origin, direction, piece, hit);
+      if (piece.Met.Found)
+      {
+        break;
+      }
     }
-    start = end;
-    before = after;
+    else
+    {
+      ++missed;
+    }
+    int left = span.Exit;
+    within = nextStretch(origin, direction, span);
+    piece.After = left < 2 || span.Face < 2
+      ? vec3(1.0 / 3.0, 1.0 / 3.0, 0.5)
+      : placeOnFin(span.Face - 2, 1.0 - alongFin(left - 2, piece.After), piece.After.z);
+  }
+  hit.Found = piece.Met.Found;
+  if (hit.Found)
+  {
+    VolumeHit met = refineMeeting(chartPlace(mesoChart, piece.Before),
+      chartWay(mesoChart, piece.After - piece.Before), piece.Met);
+    hit.Fetches += met.Fetches - piece.Met.Fetches;
+    hit.TexelReads = 8 * hit.Fetches;
+    hit.RayLength = mix(piece.Start, piece.End, met.Part);
+    mesoPlace = mix(piece.Before, piece.After, met.Part);
+    hit.MapCoord = chartPlace(mesoChart, mesoPlace).xy;
+    hit.Relief = clamp(1.0 - mesoPlace.z, 0.0, 1.0);
+    takeNormals(f, span, piece.First && met.Part == 0.0, hit);
   }
   return hit;
 }

@@ -2,9 +2,11 @@
 //   MESO_SEARCH  which: as MesoSearch counts
 //   MESO_LINEAR_STEPS, MESO_REFINING_STEPS  its steps
 //   MESO_FILTER  where texels are smaller than pixels, the surface is that of a level of the map's pyramid,
-//                of which cones and patches know nothing: by equal steps, two to a texel of the level
+//                by equal steps, two to a texel of the level
+//   MESO_CONE_LEVELS  levels have cones, and are searched as the map is
 
-#ifdef MESO_FILTER
+#if defined(MESO_FILTER) && !defined(MESO_CONE_LEVELS)
+#define MESO_STEPS_OF_LEVEL
 int stepsOfLevel(HeightPath path)
 {
   vec2 span = abs(pathMap(path, 1.0) - pathMap(path, 0.0)) * vec2(mapSize()) * exp2(-mesoLevel);
@@ -16,7 +18,7 @@ int stepsOfLevel(HeightPath path)
 // First meeting of the path with the relief.
 HeightHit searchRelief(HeightPath path)
 {
-#ifdef MESO_FILTER
+#ifdef MESO_STEPS_OF_LEVEL
   if (mesoLevel > 0.0)
   {
     return searchLinearBinary(path, stepsOfLevel(path), MESO_REFINING_STEPS);
@@ -63,7 +65,7 @@ HeightHit searchKept(MesoFragment f, HeightPath path, float rayLength)
 // 1.0 where the relief blocks a path out of it, else 0.0.
 float reliefOccludes(HeightPath path, out int fetches)
 {
-#ifdef MESO_FILTER
+#ifdef MESO_STEPS_OF_LEVEL
   if (mesoLevel > 0.0)
   {
     return occludedLinear(path, stepsOfLevel(path), fetches);

@@ -48,9 +48,11 @@ vec3 facetOf(vec3 positionVC, vec3 normalVC)
 
 // The part of a light that does not arrive at a point because of what lies in the way.
 // facetVC: normal of the base mesh's triangle; below: how far the point lies below it; thickness: of
-// the shell below it, which the technique itself searches for what blocks light. Of the object
-// itself only what lies beyond that shell counts (Documentation/Shadows.md).
-float castFraction(int light, vec3 positionVC, vec3 facetVC, float below, float thickness)
+// the shell below it, which the technique itself searches for what blocks light; followed: how far
+// along the light it has searched beside. Of the object itself only what lies beyond that
+// counts (Documentation/Shadows.md).
+float castFraction(
+  int light, vec3 positionVC, vec3 facetVC, float below, float thickness, float followed)
 {
   int tile = mesoShadowFirst[light];
   if (tile < 0)
@@ -84,7 +86,8 @@ float castFraction(int light, vec3 positionVC, vec3 facetVC, float below, float 
   vec3 normal = mat3(mesoShadowView[tile]) * facetVC;
   float facing = dot(normal, lightOut);
   normal = facing < 0.0 ? -normal : normal;
-  float depthOut = depth - below / max(abs(facing), MESO_LEAST_FACING) * lightOut.z - thickness;
+  float searched = followed + below / max(abs(facing), MESO_LEAST_FACING);
+  float depthOut = depth - searched * lightOut.z - thickness;
 
   // Four texels, weighted as for bilinear interpolation, each compared with the depth that the
   // point's plane has in the texel's middle.

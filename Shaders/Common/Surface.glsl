@@ -5,6 +5,7 @@
 //   MESO_CURVATURE    the quadric is that of the vertices, else the tangent plane
 //   MESO_DISPLACED    the mesh itself is the detail
 //   MESO_PRISMS       the mesh is a shell of prisms
+//   MESO_EXITS        whose vertices know how far the planes of its faces are along the view ray
 //   MESO_OCCLUSION, MESO_SHADING, MESO_SELF_SHADOW, MESO_DEPTH   effects that are compiled in
 //   MESO_CLIPPED      clipping planes cut the surface
 //   MESO_NORMAL_MAP   a normal map gives the shading normal: Common/NormalMap
@@ -15,6 +16,7 @@
 //                     shadow maps are of the map itself
 #if defined(MESO_AOV) || defined(MESO_CASTER)
 #undef MESO_FILTER
+#undef MESO_CONE_LEVELS
 #endif
 //   MESO_LIGHT_COUNT  number of lights that are on
 
@@ -60,6 +62,10 @@ in float mesoReliefVSOutput;
 #endif
 #ifdef MESO_PRISMS
 flat in float mesoPrismVSOutput;
+#ifdef MESO_EXITS
+in vec4 mesoLowerExitsVSOutput;
+in vec4 mesoUpperExitsVSOutput;
+#endif
 #endif
 #ifdef MESO_FRAME
 in vec3 mesoNormalMCVSOutput;

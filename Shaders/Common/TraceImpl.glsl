@@ -9,7 +9,7 @@
   vec2 mesoKept = keptStretch(mesoFragment.PositionVC, mesoFragment.ViewVC);
   mesoFragment.RayStart = max(mesoKept.x, 0.0);
 #endif
-#ifdef MESO_CAST_SHADOW
+#if defined(MESO_CAST_SHADOW) && !defined(MESO_PRISMS)
   // Its derivatives are undefined once a miss has discarded a fragment.
   mesoFacetVC = facetOf(mesoFragment.PositionVC, mesoFragment.NormalVC);
 #endif

@@ -3,6 +3,7 @@
 //   MESO_CURVATURE  and its quadric
 //   MESO_DISPLACED  the mesh itself is the detail
 //   MESO_PRISMS     the mesh is a shell of prisms
+//   MESO_EXITS      and a vertex finds how far the planes of its prism are
 //   MESO_DICED      the technique places the vertices: what else are attributes are its variables
 #ifndef MESO_DICED
 in vec2 mesoTCoord;
@@ -27,6 +28,10 @@ out float mesoReliefVSOutput;
 #ifdef MESO_PRISMS
 in float mesoPrism; // number of the prism
 flat out float mesoPrismVSOutput;
+#ifdef MESO_EXITS
+out vec4 mesoLowerExitsVSOutput; // Kernels/Prism, prismExits
+out vec4 mesoUpperExitsVSOutput;
+#endif
 #endif
 #ifdef MESO_FRAME
 uniform mat3 mesoModelToView; // linear part of model to view, without the buffer's own scale

@@ -6,6 +6,14 @@
 #endif
 #ifdef MESO_PRISMS
   mesoPrismVSOutput = mesoPrism;
+#ifdef MESO_EXITS
+  PrismChart mesoChart;
+  Prism mesoOwnPrism = fetchPrism(int(mesoPrism + 0.5), mesoChart);
+  vec3 mesoViewVC =
+    cameraParallel != 0 ? vec3(0.0, 0.0, -1.0) : normalize(mesoPositionVCVSOutput);
+  prismExits(mesoOwnPrism, modelPointOf(mesoPositionVCVSOutput), mesoViewToModel * mesoViewVC,
+    mesoLowerExitsVSOutput, mesoUpperExitsVSOutput);
+#endif
 #endif
 #ifdef MESO_FRAME
 #ifdef MESO_DICED

@@ -3,7 +3,11 @@
 // bilinear patch's height is quadratic, the path's depth is quadratic, so their difference has its
 // roots in closed form. No patch is left out: none is smaller than a step.
 //
+// Between two levels of the map's pyramid the surface is the sum of both, each with its weight, and so are
+// cones and clearances. The path is then cut where it leaves a patch of either.
+//
 // Needs HeightField.glsl
+// Needs HeightLevels.glsl
 // Needs HeightPath.glsl
 // Needs HeightHit.glsl
 // Needs HeightCone.glsl
@@ -21,12 +25,13 @@ struct PatchClearance
   float c2;
 };
 
-PatchClearance clearanceOverPatch(TexelPath path, ivec2 cell, ivec2 low, float part)
+PatchClearance clearanceOverPatch(TexelPath path, ivec2 cell, float part)
 {
-  float height00 = nearHeight(low.x, low.y);
-  float height10 = nearHeight(low.x + 1, low.y);
-  float height01 = nearHeight(low.x, low.y + 1);
-  float height11 = nearHeight(low.x + 1, low.y + 1);
+  ivec2 low = patchInPeriod(path, cell);
+  float height00 = nearHeightOfLevel(low.x, low.y, path.Level);
+  float height10 = nearHeightOfLevel(low.x + 1, low.y, path.Level);
+  float height01 = nearHeightOfLevel(low.x, low.y + 1, path.Level);
+  float height11 = nearHeightOfLevel(low.x + 1, low.y + 1, path.Level);
   vec2 from = path.Start + part * path.Span - vec2(cell);
   float alongBelow = height10 - height00;
   float alongAbove = height11 - height01;
@@ -56,7 +61,7 @@ PatchExit patchExit(TexelPath path, ivec2 cell, float part)
   toEdge.y = max(path.Down ? from.y : 1.0 - from.y, 0.0) * path.PerTexel.y;
   if (wrapMode() == WrapClamp) // the patches at the border have no end outwards
   {
-    ivec2 size = mapSize();
+    ivec2 size = path.Size;
     toEdge.x = cell.x == (path.Left ? -1 : size.x - 1) ? NoPart : toEdge.x;
     toEdge.y = cell.y == (path.Down ? -1 : size.y - 1) ? NoPart : toEdge.y;
   }
@@ -66,30 +71,125 @@ PatchExit patchExit(TexelPath path, ivec2 cell, float part)
   return way;
 }
 
-// The patch of a point, its lower left texel.
-ivec2 patchOfPoint(vec2 point)
+// The patch that the path is over at a part, its lower left texel.
+ivec2 patchAtPart(TexelPath path, float part)
 {
-  vec2 low = clamp(floor(point), -1.0e9, 1.0e9);
+  vec2 low = clamp(floor(path.Start + part * path.Span), -1.0e9, 1.0e9);
   if (wrapMode() == WrapClamp)
   {
-    low = clamp(low, vec2(-1.0), vec2(mapSize() - 1));
+    low = clamp(low, vec2(-1.0), vec2(path.Size - 1));
   }
   return ivec2(low);
 }
 
-// The patch that the path is over at a part, at least the next one after `cell`.
-ivec2 nextPatch(TexelPath path, ivec2 cell, bool alongU, float part)
+// The patch that the path is over at a later part, given the way out of `cell`: at least the next one
+// from where it leaves on.
+ivec2 laterPatch(TexelPath path, ivec2 cell, PatchExit way, float part)
 {
-  ivec2 there = patchOfPoint(path.Start + part * path.Span);
+  ivec2 there = patchAtPart(path, part);
   ivec2 next = cell;
-  next.x += alongU ? (path.Left ? -1 : 1) : 0;
-  next.y += alongU ? 0 : (path.Down ? -1 : 1);
+  next.x += way.AlongU ? (path.Left ? -1 : 1) : 0;
+  next.y += way.AlongU ? 0 : (path.Down ? -1 : 1);
   next.x = path.Left ? min(next.x, there.x) : max(next.x, there.x);
   next.y = path.Down ? min(next.y, there.y) : max(next.y, there.y);
-  return next;
+  return part < way.Part ? cell : next;
 }
 
-// First part at which the path meets the relief, or, with `inside`, comes below its surface.
+// First part at which a path near the origin meets the relief, or, with `inside`, comes below its surface; no
+// hit where it does not before its end. The surface is that of level `lower`, blended with the next one, which
+// has some weight.
+HeightHit searchLevels(HeightPath near, bool inside, int lower, float weight)
+{
+  HeightHit search = noHit();
+  bool blended = weight > 0.0;
+  TexelPath texels = texelPath(near, lower);
+  TexelPath coarse = texelPath(near, blended ? lower + 1 : lower);
+  float span = abs(texels.Span.x) + abs(texels.Span.y) + 4.0;
+  if (blended)
+  {
+    span += abs(coarse.Span.x) + abs(coarse.Span.y) + 4.0;
+  }
+  int most = int(min(span, float(MostPatches)));
+  ivec2 cell = patchAtPart(texels, 0.0);
+  ivec2 coarseCell = patchAtPart(coarse, 0.0);
+  float part = 0.0;
+  int patches = 0;
+  while (!search.Hit && part < 1.0 && search.Iterations < most)
+  {
+    // By cones to the next patch that the path may meet.
+    bool reached = false;
+    float end = part;
+    PatchExit way;
+    PatchExit coarseWay;
+    while (!reached && part < 1.0 && search.Iterations < most)
+    {
+      search.Iterations += 1;
+      vec2 cone = coneOfPatch(texels, patchInPeriod(texels, cell));
+      vec2 ahead = coneAhead(texels, cell, cone, part);
+      way = patchExit(texels, cell, part);
+      end = way.Part;
+      if (blended)
+      {
+        vec2 coarseCone = coneOfPatch(coarse, patchInPeriod(coarse, coarseCell));
+        ahead = mix(ahead, coneAhead(coarse, coarseCell, coarseCone, part), weight);
+        cone.x = mix(cone.x, coarseCone.x, weight);
+        coarseWay = patchExit(coarse, coarseCell, part);
+        end = min(end, coarseWay.Part);
+      }
+      float time = end - part;
+      float deepest = max(texelPathDepth(texels, part), texelPathDepth(texels, end)) +
+        0.25 * time * time * max(texels.Sag, 0.0);
+      reached = !(deepest <= cone.x);
+      if (!reached)
+      {
+        float free = min(part + freePart(texels, ahead, part), 1.0);
+        part = max(free, end);
+        cell = laterPatch(texels, cell, way, part);
+        if (blended)
+        {
+          coarseCell = laterPatch(coarse, coarseCell, coarseWay, part);
+        }
+      }
+    }
+    if (reached)
+    {
+      PatchClearance clearance = clearanceOverPatch(texels, cell, part);
+      if (blended)
+      {
+        PatchClearance coarser = clearanceOverPatch(coarse, coarseCell, part);
+        clearance.c0 = mix(clearance.c0, coarser.c0, weight);
+        clearance.c1 = mix(clearance.c1, coarser.c1, weight);
+        clearance.c2 = mix(clearance.c2, coarser.c2, weight);
+      }
+      float root = firstRoot(max(clearance.c0, 0.0), clearance.c1, clearance.c2);
+      bool within = inside ? clearance.c0 < 0.0 : clearance.c0 <= 0.0;
+      patches += 1;
+      search.Hit = within || root <= end - part;
+      if (search.Hit)
+      {
+        part = within ? part : part + root;
+      }
+      else
+      {
+        part = end;
+        cell = laterPatch(texels, cell, way, part);
+        if (blended)
+        {
+          coarseCell = laterPatch(coarse, coarseCell, coarseWay, part);
+        }
+      }
+    }
+  }
+  int levels = blended ? 2 : 1;
+  search.Hit = search.Hit || part < 1.0; // given up: said to meet the relief where it is
+  search.Part = part;
+  search.Fetches = levels * (search.Iterations + patches);
+  search.TexelReads = levels * (search.Iterations + 4 * patches);
+  return search;
+}
+
+// First part at which a path meets the surface that is looked for, or, with `inside`, comes below it. The map
+// itself is searched apart, without the blending of levels in each step.
 HeightHit searchPatches(HeightPath path, bool inside)
 {
   HeightHit search = noHit();
@@ -98,70 +198,26 @@ HeightHit searchPatches(HeightPath path, bool inside)
     return search;
   }
   HeightPath near = pathNearOrigin(path);
-  TexelPath texels = texelPath(near);
-  int mode = wrapMode();
-  ivec2 size = mapSize();
-  int most = int(min(abs(texels.Span.x) + abs(texels.Span.y) + 4.0, float(MostPatches)));
-  ivec2 cell = patchOfPoint(texels.Start);
-  float part = 0.0;
-  int patches = 0;
-  while (!search.Hit && part < 1.0 && search.Iterations < most)
+  float level = surfaceLevel();
+  if (level > 0.0)
   {
-    // By cones to the next patch that the path may meet.
-    bool reached = false;
-    ivec2 low = cell;
-    PatchExit way;
-    while (!reached && part < 1.0 && search.Iterations < most)
-    {
-      search.Iterations += 1;
-      low.x = firstPeriod(cell.x, size.x, mode);
-      low.y = firstPeriod(cell.y, size.y, mode);
-      vec2 cone = coneOfPatch(low, texels.Left, texels.Down);
-      way = patchExit(texels, cell, part);
-      float time = way.Part - part;
-      float deepest = max(texelPathDepth(texels, part), texelPathDepth(texels, way.Part)) +
-        0.25 * time * time * max(texels.Sag, 0.0);
-      reached = !(deepest <= cone.x);
-      if (!reached)
-      {
-        float free = min(part + freePart(texels, cell, cone, part), 1.0);
-        part = max(free, way.Part);
-        cell = nextPatch(texels, cell, way.AlongU, part);
-      }
-    }
-    if (reached)
-    {
-      PatchClearance clearance = clearanceOverPatch(texels, cell, low, part);
-      float root = firstRoot(max(clearance.c0, 0.0), clearance.c1, clearance.c2);
-      bool within = inside ? clearance.c0 < 0.0 : clearance.c0 <= 0.0;
-      patches += 1;
-      search.Hit = within || root <= way.Part - part;
-      if (search.Hit)
-      {
-        part = within ? part : part + root;
-      }
-      else
-      {
-        cell = nextPatch(texels, cell, way.AlongU, way.Part);
-        part = way.Part;
-      }
-    }
-  }
-  if (!search.Hit && part >= 1.0)
-  {
-    // Its end is looked at by the numbers that say where it is, without rounding on the way.
-    float clearance = exactClearance(near, 1.0);
-    patches += 1;
-    part = 1.0;
-    search.Hit = inside ? clearance < 0.0 : clearance <= 0.0;
+    int lower = lowerLevel(level);
+    search = searchLevels(near, inside, lower, level - float(lower));
   }
   else
   {
-    search.Hit = true;
+    search = searchLevels(near, inside, 0, 0.0);
   }
-  search.Fetches = search.Iterations + patches;
-  search.TexelReads = search.Iterations + 4 * patches;
-  return search.Hit ? hitAtPart(path, part, search) : search;
+  if (!search.Hit)
+  {
+    // The path's end is looked at by the numbers that say where it is, without rounding on the way.
+    float clearance = exactClearance(near, 1.0);
+    search.Part = 1.0;
+    search.Fetches += 1;
+    search.TexelReads += 4;
+    search.Hit = inside ? clearance < 0.0 : clearance <= 0.0;
+  }
+  return search.Hit ? hitAtPart(path, search.Part, search) : search;
 }
 
 // First meeting of the path with the relief: none is missed. A start on or below the relief is the

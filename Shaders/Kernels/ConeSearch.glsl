@@ -11,18 +11,14 @@
 // How far a path may go on from a part without meeting relief.
 float freePartAt(TexelPath path, float part)
 {
-  ivec2 size = mapSize();
   vec2 point = clamp(floor(path.Start + part * path.Span), -1.0e9, 1.0e9);
   ivec2 cell = ivec2(point);
-  int mode = wrapMode();
-  if (mode == WrapClamp)
+  if (wrapMode() == WrapClamp)
   {
-    cell = clamp(cell, ivec2(-1), size - 1);
+    cell = clamp(cell, ivec2(-1), path.Size - 1);
   }
-  ivec2 low;
-  low.x = firstPeriod(cell.x, size.x, mode);
-  low.y = firstPeriod(cell.y, size.y, mode);
-  return freePart(path, cell, coneOfPatch(low, path.Left, path.Down), part);
+  vec2 cone = coneOfPatch(path, patchInPeriod(path, cell));
+  return freePart(path, coneAhead(path, cell, cone, part), part);
 }
 
 // A step further, but no further than the end: the last of many equal steps falls short of it by
@@ -44,7 +40,7 @@ HeightBracket bracketByCones(HeightPath near, int mostSteps, inout HeightHit sea
   search.Fetches += 1;
   search.TexelReads += 4;
   search.Hit = bracket.ClearanceAbove <= 0.0;
-  TexelPath texels = texelPath(near);
+  TexelPath texels = texelPath(near, 0);
   float equalStep = 1.0 / float(max(mostSteps, 1));
   float part = 0.0;
   while (!search.Hit && part < 1.0)
@@ -103,7 +99,7 @@ float occludedCone(HeightPath path, int mostSteps, out int fetches)
     return 0.0;
   }
   HeightPath near = pathNearOrigin(path);
-  TexelPath texels = texelPath(near);
+  TexelPath texels = texelPath(near, 0);
   float equalStep = 1.0 / float(max(mostSteps, 1));
   float part = 0.0;
   float blocked = 0.0;

@@ -6,11 +6,13 @@
 // centres stays below it everywhere: no cone cuts a patch.
 //
 // Needs HeightField.glsl
+// Needs HeightLevels.glsl
 // Needs HeightPath.glsl
 //
 // Accessor, defined before this file:
-//   vec2 fetchCone(ivec2 texel, int travel)  of a texel inside the map: depth of the apex, and the
-//     code c of the steepness: depth drops by c^2 / 2 for each texel of distance
+//   vec2 fetchCone(ivec2 texel, int travel, int level)  of a texel inside a level of the map's pyramid
+//     (HeightLevels, 0 is the map): depth of the apex, and the code c of the steepness: depth drops by
+//     c^2 / 2 for each texel of distance
 //     travel: TravelLeft + TravelDown, 0 for rightwards and upwards
 
 const int TravelLeft = 1; // du < 0
@@ -19,10 +21,12 @@ const int TravelDown = 2; // dv < 0
 // A part past all paths' ends.
 const float NoPart = 1.0e30;
 
-// A path in texels: at part w it is at Start + w Span, at depth DepthStart + w (Fall - w Sag), with
-// texel centres at whole numbers.
+// A path in texels of a level: at part w it is at Start + w Span, at depth DepthStart + w (Fall - w Sag),
+// with texel centres at whole numbers.
 struct TexelPath
 {
+  int Level;
+  ivec2 Size; // of the level
   vec2 Start;
   vec2 Span;
   vec2 PerTexel; // part for each texel along an axis, forwards; NoPart where it does not move
@@ -34,10 +38,12 @@ struct TexelPath
   bool Down;
 };
 
-TexelPath texelPath(HeightPath near)
+TexelPath texelPath(HeightPath near, int level)
 {
   TexelPath path;
-  vec2 size = vec2(mapSize());
+  path.Level = level;
+  path.Size = levelSize(level);
+  vec2 size = vec2(path.Size);
   path.Start = near.MapStart * size - 0.5;
   path.Span = near.MapSpan * size;
   vec2 speed = abs(path.Span);
@@ -83,39 +89,54 @@ int firstPeriod(int i, int n, int mode)
   return mode == WrapClamp ? clamp(i, -1, n - 1) : clamp(inPeriod, 0, period - 1);
 }
 
-// The cone over a patch for a way of travel (its lower left texel, in the first period).
-// x: depth of the apex, y: by how much the cone's depth drops for each texel of distance.
-vec2 coneOfPatch(ivec2 low, bool left, bool down)
+// A patch of the endless map in the first period.
+ivec2 patchInPeriod(TexelPath path, ivec2 cell)
 {
-  ivec2 size = mapSize();
+  int mode = wrapMode();
+  return ivec2(firstPeriod(cell.x, path.Size.x, mode), firstPeriod(cell.y, path.Size.y, mode));
+}
+
+// The cone over a patch (its lower left texel, in the first period) along a path.
+// x: depth of the apex, y: by how much the cone's depth drops for each texel of distance.
+vec2 coneOfPatch(TexelPath path, ivec2 low)
+{
+  ivec2 size = path.Size;
   int mode = wrapMode();
   ivec2 texel = low;
-  texel.x += left ? 1 : 0;
-  texel.y += down ? 1 : 0;
-  bool isLeft = left;
-  bool isDown = down;
+  texel.x += path.Left ? 1 : 0;
+  texel.y += path.Down ? 1 : 0;
+  bool isLeft = path.Left;
+  bool isDown = path.Down;
   if (mode == WrapMirror) // every second tile is travelled the other way
   {
-    isLeft = texel.x >= size.x && texel.x < 2 * size.x ? !left : left;
-    isDown = texel.y >= size.y && texel.y < 2 * size.y ? !down : down;
+    isLeft = texel.x >= size.x && texel.x < 2 * size.x ? !isLeft : isLeft;
+    isDown = texel.y >= size.y && texel.y < 2 * size.y ? !isDown : isDown;
   }
   texel.x = wrapNearTexel(texel.x, size.x, mode);
   texel.y = wrapNearTexel(texel.y, size.y, mode);
-  vec2 cone = fetchCone(texel, (isLeft ? TravelLeft : 0) + (isDown ? TravelDown : 0));
+  vec2 cone =
+    fetchCone(texel, (isLeft ? TravelLeft : 0) + (isDown ? TravelDown : 0), path.Level);
   return vec2(cone.x, 0.5 * cone.y * cone.y);
 }
 
-// How much further than `part` the path may go without meeting relief, by the cone of the patch that
-// it is over there (`cell`: the patch's lower left texel). 0 where the path is below the apex.
-float freePart(TexelPath path, ivec2 cell, vec2 cone, float part)
+// What a path sees of a cone from one of its parts on. x: the cone's depth there, y: by how much it
+// drops for each part further.
+vec2 coneAhead(TexelPath path, ivec2 cell, vec2 cone, float part)
 {
   vec2 from = path.Start + part * path.Span - vec2(cell);
   float alongU = path.Left ? 1.0 - from.x : from.x;
   float alongV = path.Down ? 1.0 - from.y : from.y;
   // Beyond a clamped border patches have no end and distances are counted from the border on.
   float away = max(alongU, 0.0) + max(alongV, 0.0);
-  float above = cone.x - cone.y * away - texelPathDepth(path, part);
-  float slope = path.Fall - 2.0 * part * path.Sag + cone.y * (abs(path.Span.x) + abs(path.Span.y));
+  return vec2(cone.x - cone.y * away, cone.y * (abs(path.Span.x) + abs(path.Span.y)));
+}
+
+// How much further than `part` the path may go without meeting relief, by a cone ahead of it there. 0
+// where the path is below it.
+float freePart(TexelPath path, vec2 ahead, float part)
+{
+  float above = ahead.x - texelPathDepth(path, part);
+  float slope = path.Fall - 2.0 * part * path.Sag + ahead.y;
   float free = firstRoot(max(above, 0.0), -slope, path.Sag);
   return above > 0.0 ? free : 0.0;
 }

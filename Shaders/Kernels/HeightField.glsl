@@ -74,9 +74,10 @@ vec2 wholeTiles(vec2 uv)
   return tiles;
 }
 
-// The patch of four texel centres around a map coordinate. low: its lower left texel, not wrapped,
-// in [-1,n-1] (mirror: [-1,2n-1]). Result: where uv lies in the patch, [0,1]. NaN counts as 0.
-vec2 patchAt(vec2 uv, out ivec2 low)
+// The patch of four texel centres around a map coordinate in a map of some size. low: its lower left
+// texel, not wrapped, in [-1,n-1] (mirror: [-1,2n-1]). Result: where uv lies in the patch, [0,1]. NaN
+// counts as 0.
+vec2 patchOfSize(vec2 uv, ivec2 size, out ivec2 low)
 {
   vec2 inTile = uv - wholeTiles(uv);
   if (wrapMode() == WrapClamp)
@@ -85,10 +86,16 @@ vec2 patchAt(vec2 uv, out ivec2 low)
   }
   inTile.x = inTile.x >= 0.0 ? inTile.x : 0.0; // NaN compares false
   inTile.y = inTile.y >= 0.0 ? inTile.y : 0.0;
-  vec2 texel = inTile * vec2(mapSize()) - 0.5;
+  vec2 texel = inTile * vec2(size) - 0.5;
   vec2 corner = floor(texel);
   low = ivec2(corner);
   return texel - corner;
+}
+
+// The same in the height map itself.
+vec2 patchAt(vec2 uv, out ivec2 low)
+{
+  return patchOfSize(uv, mapSize(), low);
 }
 
 // Height by weights of our own, the same on every device: samplers may have 8-bit weights. Written

@@ -21,6 +21,7 @@ struct PrismSpan
   float Enter;
   float Leave;
   int Face; // by which the ray enters: 0 bottom, 1 top, 2 + k fin k
+  int Exit; // and leaves
 };
 
 const float FAR_ALONG_RAY = 1.0e30;
@@ -51,21 +52,50 @@ vec2 stretchBehind(vec3 onPlane, vec3 outward, vec3 origin, vec3 direction)
   return stretchBelow(dot(outward, origin - onPlane), dot(outward, direction));
 }
 
-// Inside a fin between corners a and b: before both planes of its triangles where they bend outward, before
-// either where they bend inward (Wang2004, Figure 5). Both planes are taken through the diagonal, in the
-// same way for the prism on the other side, so that one leaves where the other enters.
-// `at` chooses between two stretches: the one that holds it.
-vec2 stretchInFin(vec3 a, vec3 b, vec3 riseA, vec3 riseB, bool falling, float winding, vec3 origin,
-  vec3 direction, float at)
+// The planes of a fin's two triangles, outward.
+struct FinPlanes
+{
+  vec3 On; // a point of both
+  vec3 Lower;
+  vec3 Upper;
+  bool Inward; // they bend inward: behind either is inside, else behind both (Wang2004, Figure 5)
+};
+
+// Of the fin between corners a and b. Both planes are taken through the diagonal, in the same way for the prism
+// on the other side, so that one leaves where the other enters.
+FinPlanes finPlanes(vec3 a, vec3 b, vec3 riseA, vec3 riseB, bool falling, float winding)
 {
   vec3 edge = b - a;
   vec3 lower = falling ? cross(edge, riseA) : cross(edge, riseB);
   vec3 upper = falling ? cross(riseB, riseA - edge) : cross(edge + riseB, riseA);
   float beyond = falling ? dot(lower, edge + riseB) : dot(lower, riseA);
-  vec3 onBoth = falling ? b : a;
-  vec2 first = stretchBehind(onBoth, winding * lower, origin, direction);
-  vec2 second = stretchBehind(onBoth, winding * upper, origin, direction);
-  if (winding * beyond <= 0.0)
+  FinPlanes planes;
+  planes.On = falling ? b : a;
+  planes.Lower = winding * lower;
+  planes.Upper = winding * upper;
+  planes.Inward = winding * beyond > 0.0;
+  return planes;
+}
+
+FinPlanes finOfPrism(Prism p, int fin, float winding)
+{
+  if (fin == 0)
+  {
+    return finPlanes(p.Bottom0, p.Bottom1, p.Rise0, p.Rise1, (p.Flags & 1) != 0, winding);
+  }
+  if (fin == 1)
+  {
+    return finPlanes(p.Bottom1, p.Bottom2, p.Rise1, p.Rise2, (p.Flags & 2) != 0, winding);
+  }
+  return finPlanes(p.Bottom2, p.Bottom0, p.Rise2, p.Rise0, (p.Flags & 4) != 0, winding);
+}
+
+// Inside a fin; `at` chooses between two stretches: the one that holds it.
+vec2 stretchInFin(FinPlanes fin, vec3 origin, vec3 direction, float at)
+{
+  vec2 first = stretchBehind(fin.On, fin.Lower, origin, direction);
+  vec2 second = stretchBehind(fin.On, fin.Upper, origin, direction);
+  if (!fin.Inward)
   {
     return vec2(max(first.x, second.x), min(first.y, second.y));
   }
@@ -79,26 +109,34 @@ vec2 stretchInFin(vec3 a, vec3 b, vec3 riseA, vec3 riseB, bool falling, float wi
   return 2.0 * at <= before.y + after.x ? before : after;
 }
 
+// Outward, of any length.
+vec3 bottomNormal(Prism p, float winding)
+{
+  return -winding * cross(p.Bottom1 - p.Bottom0, p.Bottom2 - p.Bottom0);
+}
+
+vec3 topNormal(Prism p, float winding)
+{
+  vec3 top = p.Bottom0 + p.Rise0;
+  return winding * cross(p.Bottom1 + p.Rise1 - top, p.Bottom2 + p.Rise2 - top);
+}
+
 // The stretch of a ray in a prism that holds `at`, or is nearest to it.
 PrismSpan prismSpan(Prism p, vec3 origin, vec3 direction, float at)
 {
   float winding = prismWinding(p);
   vec2 stretches[5];
-  stretches[0] = stretchBehind(p.Bottom0,
-    -winding * cross(p.Bottom1 - p.Bottom0, p.Bottom2 - p.Bottom0), origin, direction);
-  vec3 top = p.Bottom0 + p.Rise0;
-  stretches[1] = stretchBehind(top,
-    winding * cross(p.Bottom1 + p.Rise1 - top, p.Bottom2 + p.Rise2 - top), origin, direction);
-  stretches[2] = stretchInFin(p.Bottom0, p.Bottom1, p.Rise0, p.Rise1, (p.Flags & 1) != 0, winding,
-    origin, direction, at);
-  stretches[3] = stretchInFin(p.Bottom1, p.Bottom2, p.Rise1, p.Rise2, (p.Flags & 2) != 0, winding,
-    origin, direction, at);
-  stretches[4] = stretchInFin(p.Bottom2, p.Bottom0, p.Rise2, p.Rise0, (p.Flags & 4) != 0, winding,
-    origin, direction, at);
+  stretches[0] = stretchBehind(p.Bottom0, bottomNormal(p, winding), origin, direction);
+  stretches[1] = stretchBehind(p.Bottom0 + p.Rise0, topNormal(p, winding), origin, direction);
+  for (int fin = 0; fin < 3; ++fin)
+  {
+    stretches[2 + fin] = stretchInFin(finOfPrism(p, fin, winding), origin, direction, at);
+  }
   PrismSpan span;
   span.Enter = stretches[0].x;
   span.Leave = stretches[0].y;
   span.Face = 0;
+  span.Exit = 0;
   for (int i = 1; i < 5; ++i)
   {
     if (stretches[i].x > span.Enter)
@@ -106,9 +144,68 @@ PrismSpan prismSpan(Prism p, vec3 origin, vec3 direction, float at)
       span.Enter = stretches[i].x;
       span.Face = i;
     }
-    span.Leave = min(span.Leave, stretches[i].y);
+    if (stretches[i].y < span.Leave)
+    {
+      span.Leave = stretches[i].y;
+      span.Exit = i;
+    }
   }
   return span;
+}
+
+// How far along a ray a plane is that it comes out by; FAR_ALONG_RAY where it does not.
+float exitBy(vec3 onPlane, vec3 outward, vec3 origin, vec3 direction)
+{
+  return dot(outward, direction) > 0.0
+    ? stretchBehind(onPlane, outward, origin, direction).y
+    : FAR_ALONG_RAY;
+}
+
+// The same for all faces: `lower` of the bottom and the fins' lower triangles, `upper` of the top and the upper
+// ones.
+void prismExits(Prism p, vec3 origin, vec3 direction, out vec4 lower, out vec4 upper)
+{
+  float winding = prismWinding(p);
+  FinPlanes fin0 = finOfPrism(p, 0, winding);
+  FinPlanes fin1 = finOfPrism(p, 1, winding);
+  FinPlanes fin2 = finOfPrism(p, 2, winding);
+  lower = vec4(exitBy(p.Bottom0, bottomNormal(p, winding), origin, direction),
+    exitBy(fin0.On, fin0.Lower, origin, direction), exitBy(fin1.On, fin1.Lower, origin, direction),
+    exitBy(fin2.On, fin2.Lower, origin, direction));
+  upper = vec4(exitBy(p.Bottom0 + p.Rise0, topNormal(p, winding), origin, direction),
+    exitBy(fin0.On, fin0.Upper, origin, direction), exitBy(fin1.On, fin1.Upper, origin, direction),
+    exitBy(fin2.On, fin2.Upper, origin, direction));
+}
+
+// Where a ray leaves the prism by such exits: of a fin whose planes bend inward by the further, else by the nearer
+// (Wang2004, Figure 5).
+float leaveByExits(Prism p, vec4 lower, vec4 upper)
+{
+  float winding = prismWinding(p);
+  bool inward0 = finOfPrism(p, 0, winding).Inward;
+  bool inward1 = finOfPrism(p, 1, winding).Inward;
+  bool inward2 = finOfPrism(p, 2, winding).Inward;
+  float fin0 = inward0 ? max(lower.y, upper.y) : min(lower.y, upper.y);
+  float fin1 = inward1 ? max(lower.z, upper.z) : min(lower.z, upper.z);
+  float fin2 = inward2 ? max(lower.w, upper.w) : min(lower.w, upper.w);
+  return min(min(lower.x, upper.x), min(fin0, min(fin1, fin2)));
+}
+
+// The face, as PrismSpan counts them, that a place is nearest to.
+int nearestFace(vec3 place)
+{
+  float from[5];
+  from[0] = abs(place.z);
+  from[1] = abs(1.0 - place.z);
+  from[2] = abs(place.y);
+  from[3] = abs(1.0 - place.x - place.y);
+  from[4] = abs(place.x);
+  int face = 0;
+  for (int i = 1; i < 5; ++i)
+  {
+    face = from[i] < from[face] ? i : face;
+  }
+  return face;
 }
 
 // Change of place with b1, b2 and z, at (b1, b2, z).
@@ -164,6 +261,21 @@ vec3 prismPlace(Prism p, vec3 point, vec3 near)
     }
   }
   return place;
+}
+
+// How far along a fin, 0 at its corner and 1 at the next, a place on it is, and the place that is so far.
+float alongFin(int fin, vec3 place)
+{
+  return fin == 0 ? place.x : fin == 1 ? place.y : 1.0 - place.y;
+}
+
+vec3 placeOnFin(int fin, float along, float z)
+{
+  if (fin == 0)
+  {
+    return vec3(along, 0.0, z);
+  }
+  return fin == 1 ? vec3(1.0 - along, along, z) : vec3(0.0, 1.0 - along, z);
 }
 
 // A vector that is at right angles to the surface on which a function is constant, from the function's

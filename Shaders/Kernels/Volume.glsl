@@ -12,6 +12,9 @@ struct VolumeHit
   float Part;  // of the way
   int Fetches; // filtered samples
   int Steps;
+  float Outside;         // the last part before Part that is known to be outside
+  float DistanceOutside; // and the distances at both
+  float DistanceAt;
 };
 
 // The shortest side of a voxel, in tile widths.
@@ -23,8 +26,9 @@ float voxelSide(float depth)
 
 int wrapVoxel(int i, int size)
 {
-  int rest = i - (i / size) * size;
-  return rest < 0 ? rest + size : rest;
+  // Devices have floats divided faster than whole numbers.
+  float turns = floor((float(i) + 0.5) / float(size));
+  return i - int(turns) * size;
 }
 
 // The eight distances around a place, lower and upper four (x running first), and the place among them.
@@ -109,76 +113,69 @@ vec3 wayInShell(vec3 from, vec3 span)
   return span * clamp(((span.z > 0.0 ? 1.0 : 0.0) - from.z) / span.z, 0.0, 1.0);
 }
 
-// Where between two parts of a way, the first outside and the last inside, it comes in.
-float comesIn(vec3 from, vec3 span, float outside, float inside, float distanceOutside,
-  float distanceInside, out int fetches)
-{
-  float part = inside;
-  float before = outside;
-  float after = inside;
-  float dBefore = distanceOutside;
-  float dAfter = distanceInside;
-  fetches = 0;
-  for (int i = 0; i < 6; ++i)
-  {
-    // The secant, kept from the ends so that each step narrows the bracket.
-    float share = clamp(dBefore / max(dBefore - dAfter, 1.0e-30), 0.05, 0.95);
-    part = mix(before, after, share);
-    float d = exactDistance(from + part * span);
-    fetches += 1;
-    if (d > 0.0)
-    {
-      before = part;
-      dBefore = d;
-    }
-    else
-    {
-      after = part;
-      dAfter = d;
-    }
-  }
-  return mix(before, after, clamp(dBefore / max(dBefore - dAfter, 1.0e-30), 0.0, 1.0));
-}
-
 // The first meeting of the way from + part span, part in [0, 1], by steps as long as the distance says
 // (Hart1996), but at least `leastStep` (tile widths): matter thinner than that may be passed by where a ray
-// grazes it. `startsOutside`: what the distance says at the start is not believed.
-VolumeHit searchVolume(
+// grazes it. `startsOutside`: what the distance says at the start is not believed. Part is that of the first
+// step's end that is inside; exactHit says where it comes in. (Apart, since devices that run several
+// pixels as one do what one of them does in a loop for all.)
+VolumeHit bracketInVolume(
   vec3 from, vec3 span, float depth, float leastStep, int mostSteps, bool startsOutside)
 {
   VolumeHit hit;
-  hit.Found = false;
+  float d = sampleVolume(from);
+  hit.Found = d <= 0.0 && !startsOutside;
   hit.Part = 0.0;
   hit.Fetches = 1;
   hit.Steps = 0;
-  float d = sampleVolume(from);
-  if (d <= 0.0 && !startsOutside)
-  {
-    hit.Found = true;
-    return hit;
-  }
+  hit.Outside = 0.0;
+  hit.DistanceOutside = 0.0;
+  hit.DistanceAt = d;
   float way = length(span * vec3(1.0, 1.0, depth));
-  if (!(way > 0.0))
+  if (hit.Found || !(way > 0.0))
   {
     return hit;
   }
   float part = 0.0;
-  for (int i = 0; i < mostSteps && part < 1.0; ++i)
+  for (int i = 0; i < mostSteps && part < 1.0 && !hit.Found; ++i)
   {
-    float next = min(part + max(d, leastStep) / way, 1.0);
-    float dNext = sampleVolume(from + next * span);
-    hit.Fetches += 1;
+    hit.Outside = part;
+    hit.DistanceOutside = max(d, 0.0);
+    part = min(part + max(d, leastStep) / way, 1.0);
+    d = sampleVolume(from + part * span);
+    hit.Found = d <= 0.0;
     hit.Steps += 1;
-    if (dNext <= 0.0)
-    {
-      int fetches;
-      hit.Found = true;
-      hit.Part = comesIn(from, span, part, next, max(d, 0.0), dNext, fetches);
-      hit.Fetches += fetches;
-      return hit;
-    }
-    part = next;
-    d = dNext;
   }
+  hit.Fetches += hit.Steps;
+  hit.Part = part;
+  hit.DistanceAt = d;
+  return hit;
+}
+
+// What bracketInVolume found, with Part where the way comes in.
+VolumeHit exactHit(vec3 from, vec3 span, VolumeHit bracket)
+{
+  VolumeHit hit = bracket;
+  if (!(hit.Found && hit.Part > 0.0))
+  {
+    return hit;
+  }
+  float before = hit.Outside;
+  float after = hit.Part;
+  float dBefore = hit.DistanceOutside;
+  float dAfter = hit.DistanceAt;
+  for (int i = 0; i < 6; ++i)
+  {
+    // The secant, kept from the ends so that each step narrows the bracket.
+    float share = clamp(dBefore / max(dBefore - dAfter, 1.0e-30), 0.05, 0.95);
+    float part = mix(before, after, share);
+    float d = exactDistance(from + part * span);
+    bool outside = d > 0.0;
+    before = outside ? part : before;
+    dBefore = outside ? d : dBefore;
+    after = outside ? after : part;
+    dAfter = outside ? dAfter : d;
+  }
+  hit.Fetches += 6;
+  hit.Part = mix(before, after, clamp(dBefore / max(dBefore - dAfter, 1.0e-30), 0.0, 1.0));
   return hit;
 }

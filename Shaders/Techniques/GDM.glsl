@@ -42,12 +42,20 @@ VolumeHit meetMatter(vec3 from, vec3 span)
   hit.Part = 0.0;
   hit.Steps = 1 + MESO_CORRECTIONS;
   hit.Fetches = 1;
-  hit.Found = sampleVolume(from) <= 0.0;
+  hit.Outside = 0.0;
+  hit.DistanceOutside = 0.0;
+  hit.DistanceAt = sampleVolume(from);
+  hit.Found = hit.DistanceAt <= 0.0;
   if (!hit.Found)
   {
     hit.Found = lookUp(from, span, hit.Part);
     hit.Fetches = 3 + MESO_CORRECTIONS;
   }
+  return hit;
+}
+
+VolumeHit refineMeeting(vec3 from, vec3 span, VolumeHit hit)
+{
   return hit;
 }
 

@@ -5,8 +5,13 @@
 
 VolumeHit meetMatter(vec3 from, vec3 span)
 {
-  return searchVolume(
+  return bracketInVolume(
     from, span, mesoVolumeDepth, MESO_LEAST_STEP * voxelSide(mesoVolumeDepth), MESO_MOST_STEPS, false);
+}
+
+VolumeHit refineMeeting(vec3 from, vec3 span, VolumeHit hit)
+{
+  return exactHit(from, span, hit);
 }
 
 vec3 matterGradient(vec3 place)
@@ -21,7 +26,7 @@ vec3 facetGradient(vec3 place)
 
 bool matterBlocks(vec3 from, vec3 span, out int fetches)
 {
-  VolumeHit found = searchVolume(
+  VolumeHit found = bracketInVolume(
     from, span, mesoVolumeDepth, MESO_LEAST_STEP * voxelSide(mesoVolumeDepth), MESO_MOST_STEPS, true);
   fetches = found.Fetches;
   return found.Found;

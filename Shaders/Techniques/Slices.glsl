@@ -22,7 +22,7 @@ bool matterBlocks(vec3 from, vec3 span, out int fetches)
   {
     return false;
   }
-  VolumeHit found = searchVolume(start, wayInShell(start, span), mesoVolumeDepth,
+  VolumeHit found = bracketInVolume(start, wayInShell(start, span), mesoVolumeDepth,
     MESO_LEAST_STEP * voxelSide(mesoVolumeDepth), MESO_MOST_STEPS, false);
   fetches += found.Fetches;
   return found.Found;

@@ -31,17 +31,13 @@ std::string WithoutDevice(const std::string& messages)
   const auto end = messages.find('\n', at);
   return messages.substr(0, at) + (end == std::string::npos ? "" : messages.substr(end + 1));
 }
-}
 
-MesoRun RunMeso(const std::vector<std::string>& arguments)
+int Start(
+  const std::vector<std::string>& arguments, const std::string& output, const std::string& messages)
 {
 #ifdef MESO_ASAN_OPTIONS
   setenv("ASAN_OPTIONS", MESO_ASAN_OPTIONS, 0);
 #endif
-  const TemporaryFolder folder;
-  const std::string output = folder.PathOf("stdout");
-  const std::string messages = folder.PathOf("stderr");
-
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr int Flags = O_WRONLY | O_CREAT | O_TRUNC;
@@ -61,11 +57,34 @@ MesoRun RunMeso(const std::vector<std::string>& arguments)
   const int problem =
     posix_spawn(&process, MESO_PROGRAM, &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (problem != 0 || waitpid(process, &status, 0) != process)
+  if (problem != 0)
   {
     throw std::runtime_error(std::string(MESO_PROGRAM) + " cannot be run");
   }
-  return { WIFEXITED(status) ? WEXITSTATUS(status) : -1, ContentOf(output),
-    WithoutDevice(ContentOf(messages)) };
+  return process;
+}
+}
+
+int StartMeso(const std::vector<std::string>& arguments)
+{
+  return Start(arguments, "/dev/null", "/dev/null");
+}
+
+int WaitForMeso(int process)
+{
+  int status = 0;
+  if (waitpid(process, &status, 0) != process)
+  {
+    throw std::runtime_error(std::string(MESO_PROGRAM) + " cannot be waited for");
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+MesoRun RunMeso(const std::vector<std::string>& arguments)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.PathOf("stdout");
+  const std::string messages = folder.PathOf("stderr");
+  const int exitCode = WaitForMeso(Start(arguments, output, messages));
+  return { exitCode, ContentOf(output), WithoutDevice(ContentOf(messages)) };
 }

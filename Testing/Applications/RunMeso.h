@@ -19,4 +19,10 @@ struct MesoRun
 /// Runs `meso` with these arguments and waits. Throws std::runtime_error where it cannot start.
 MesoRun RunMeso(const std::vector<std::string>& arguments);
 
+/// Starts `meso` and leaves it to itself; what it says is not kept. Result: of the process.
+int StartMeso(const std::vector<std::string>& arguments);
+
+/// Waits for it to end. Result: its exit code, -1 where a signal ended it.
+int WaitForMeso(int process);
+
 #endif

@@ -11,7 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <iterator>
 
 namespace
 {
@@ -122,4 +125,53 @@ TEST(MesoBakeVDM, RefusesWhatMakesNoSense)
     EXPECT_NE(run.Messages.find(part), std::string::npos) << run.Messages;
   }
   EXPECT_EQ(folder.Names(), (std::vector<std::string>{ "step.pgm" }));
+}
+
+TEST(MesoBakeVDM, FilesThatAreNoTablesAreRefused)
+{
+  SceneFolder scene(Plane(R"("technique": "vdm", "baked": "a.vdm.vti")"));
+  WriteStep(scene.PathOf("step.pgm"));
+  const std::string file = scene.PathOf("a.vdm.vti");
+  ASSERT_EQ(BakeSmall(scene.PathOf("step.pgm"), file).ExitCode, 0);
+  const MesoBaked whole = MesoReadBaked(file, "vdm");
+  const auto bytes = [&]
+  {
+    std::ifstream stream(file, std::ios::binary);
+    return std::string{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+  };
+  const std::string text = bytes();
+  const auto expect = [&](const std::string& says)
+  {
+    const MesoRun run = RunMeso(
+      { "render", scene.PathOf("scene.json"), "-o", scene.PathOf("none.png"), "--size", "32x32" });
+    EXPECT_EQ(run.ExitCode, 1) << says;
+    EXPECT_NE(run.Messages.find("a.vdm.vti"), std::string::npos) << run.Messages;
+    EXPECT_NE(run.Messages.find(says), std::string::npos) << run.Messages;
+    EXPECT_EQ(std::count(run.Messages.begin(), run.Messages.end(), '\n'), 1) << run.Messages;
+    EXPECT_FALSE(std::ifstream(scene.PathOf("none.png")));
+  };
+  // With a right checksum, but not what a table is.
+  const auto with = [&](const auto& change, const std::string& says)
+  {
+    MesoBaked changed = whole;
+    changed.Table = vtkSmartPointer<vtkImageData>::New();
+    changed.Table->DeepCopy(whole.Table);
+    change(changed.Table->GetFieldData());
+    MesoWriteBaked(file, changed);
+    expect(says);
+  };
+  with([](vtkFieldData* data) { data->GetArray("Heights")->SetTuple1(7, std::nan("")); },
+    "holds the height nan at 7");
+  with([](vtkFieldData* data) { data->GetArray("VDMFunctions")->SetComponent(3, 1, HUGE_VAL); },
+    "VDMFunctions holds inf");
+  with([](vtkFieldData* data) { data->GetArray("VDMSizes")->SetTuple1(0, 17.); },
+    "not of the table's size");
+  // Damaged.
+  const auto holding = [&](const std::string& changed, const std::string& says)
+  {
+    std::ofstream(file, std::ios::binary) << changed;
+    expect(says);
+  };
+  holding(text.substr(0, text.size() / 2), "damaged");
+  holding("", "");
 }

@@ -372,7 +372,7 @@ TEST(SceneRefusals, ShellsOfVolumes)
   {
     const std::string technique = std::string(R"("technique": ")") + name + "\"";
     EXPECT_EQ(of(technique),
-      place + ": technique " + name + " needs a volume or a tile_mesh" +
+      place + ": technique " + name + " needs a volume, a tile_mesh or a height_map" +
         (std::string(name) == "gdm" ? ", or a baked table" : ""));
     EXPECT_EQ(of(volume + technique),
       place + ": technique " + name + " needs scale, the thickness of its shell in object units");
@@ -383,4 +383,12 @@ TEST(SceneRefusals, ShellsOfVolumes)
   }
   EXPECT_EQ(OfRelief(R"(, "segments": 2)"),
     place + ".segments: technique relief has no prisms that rays run through");
+  EXPECT_EQ(OfRelief(R"(, "volume_colors": "c.vti")"),
+    place + ".volume_colors: technique relief draws no volume");
+  EXPECT_EQ(OfRelief(R"(, "exits": "exact")"),
+    place + ".exits: technique relief has no prisms that rays run through");
+  EXPECT_TRUE(Mentions(
+    of(volume + R"("scale": 1, "technique": "slices", "exits": "exact")"), "no rays that run"));
+  EXPECT_TRUE(Mentions(of(volume + R"("scale": 1, "technique": "gdm", "exits": "interpolate")"),
+    "did you mean interpolated"));
 }

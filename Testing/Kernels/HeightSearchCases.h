@@ -7,6 +7,7 @@
 
 #include "KernelTypes.h"
 #include "MesoHeightCones.h"
+#include "MesoHeightPyramid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,24 @@ HeightField FieldOf(const SearchMap& map, MesoWrap wrap)
   return field;
 }
 
+/// The same and its pyramid, of which `searched` is looked for.
+template <typename HeightField, typename Real>
+HeightField FieldOf(
+  const SearchMap& map, MesoWrap wrap, const std::vector<MesoHeightLevel>& pyramid, Real searched)
+{
+  HeightField field = FieldOf<HeightField>(map, wrap);
+  std::vector<typename HeightField::Level> levels;
+  for (const MesoHeightLevel& level : pyramid)
+  {
+    MesoHeightCones cones =
+      MesoMakeHeightCones(level.Width, level.Height, wrap, level.Heights.data(), RunAtOnce);
+    levels.push_back({ level.Width, level.Height, level.Heights, std::move(cones.Apex),
+      std::move(cones.Steepness) });
+  }
+  field.SetLevels(std::move(levels), searched);
+  return field;
+}
+
 /// The surface itself.
 class TrueSurface
 {
@@ -120,34 +139,38 @@ private:
   MesoWrap Wrap;
 };
 
-/// A path, cut into pieces over one patch each.
+/// A path, cut into pieces over one patch each. The surface is that of one map, or a second one of another
+/// size is blended with it.
 class TrueClearance
 {
 public:
   template <typename Path>
   TrueClearance(const SearchMap& map, MesoWrap wrap, const Path& path)
-    : Surface(map, wrap)
+    : TrueClearance(map, map, 0., wrap, path)
   {
-    this->X0 = double(path.MapStart.x) * map.Width - 0.5;
-    this->Y0 = double(path.MapStart.y) * map.Height - 0.5;
-    this->SpanX = double(path.MapSpan.x) * map.Width;
-    this->SpanY = double(path.MapSpan.y) * map.Height;
+  }
+  template <typename Path>
+  TrueClearance(const SearchMap& map, const SearchMap& other, double weightOfOther, MesoWrap wrap,
+    const Path& path)
+    : Layers{ Layer(map, 1. - weightOfOther, wrap, path), Layer(other, weightOfOther, wrap, path) }
+  {
     this->Start = double(path.DepthStart);
     this->Fall = double(path.DepthEnd) - this->Start;
     this->Sag = double(path.Sag);
     this->Cuts = { 0., 1. };
-    this->AddCuts(this->X0, this->SpanX);
-    this->AddCuts(this->Y0, this->SpanY);
+    for (const Layer& layer : this->Layers)
+    {
+      if (layer.Weight > 0.)
+      {
+        this->AddCuts(layer.X0, layer.SpanX);
+        this->AddCuts(layer.Y0, layer.SpanY);
+      }
+    }
     std::sort(this->Cuts.begin(), this->Cuts.end());
   }
 
   double Depth(double w) const { return this->Start + w * (this->Fall + this->Sag * (1. - w)); }
-  double At(double w) const
-  {
-    const double x = this->X0 + w * this->SpanX;
-    const double y = this->Y0 + w * this->SpanY;
-    return this->AtOver(w, long(std::floor(x)), long(std::floor(y)));
-  }
+  double At(double w) const { return this->Over(w, w); }
   /// The least clearance up to a part.
   double Least(double end) const
   {
@@ -169,7 +192,8 @@ public:
   /// 1 from texel to texel at most.
   double Size() const
   {
-    return std::abs(this->X0) + std::abs(this->Y0) + std::abs(this->SpanX) + std::abs(this->SpanY);
+    const Layer& layer = this->Layers[0];
+    return std::abs(layer.X0) + std::abs(layer.Y0) + std::abs(layer.SpanX) + std::abs(layer.SpanY);
   }
   double DepthSize() const
   {
@@ -177,6 +201,36 @@ public:
   }
 
 private:
+  /// A map and the path in its texels.
+  struct Layer
+  {
+    template <typename Path>
+    Layer(const SearchMap& map, double weight, MesoWrap wrap, const Path& path)
+      : Surface(map, wrap)
+      , Weight(weight)
+      , X0(double(path.MapStart.x) * map.Width - 0.5)
+      , Y0(double(path.MapStart.y) * map.Height - 0.5)
+      , SpanX(double(path.MapSpan.x) * map.Width)
+      , SpanY(double(path.MapSpan.y) * map.Height)
+    {
+    }
+
+    /// Height at a part, of the patch that the path is over at another.
+    double Height(double w, double over) const
+    {
+      return this->Surface.Height(this->X0 + w * this->SpanX, this->Y0 + w * this->SpanY,
+        long(std::floor(this->X0 + over * this->SpanX)),
+        long(std::floor(this->Y0 + over * this->SpanY)));
+    }
+
+    TrueSurface Surface;
+    double Weight;
+    double X0;
+    double Y0;
+    double SpanX;
+    double SpanY;
+  };
+
   void AddCuts(double start, double span)
   {
     const double low = std::ceil(std::min(start, start + span));
@@ -185,11 +239,14 @@ private:
       this->Cuts.push_back(std::clamp((line - start) / span, 0., 1.));
     }
   }
-  double AtOver(double w, long i, long j) const
+  double Over(double w, double over) const
   {
-    const double x = this->X0 + w * this->SpanX;
-    const double y = this->Y0 + w * this->SpanY;
-    return 1. - this->Surface.Height(x, y, i, j) - this->Depth(w);
+    double height = 0.;
+    for (const Layer& layer : this->Layers)
+    {
+      height += layer.Weight > 0. ? layer.Weight * layer.Height(w, over) : 0.;
+    }
+    return 1. - height - this->Depth(w);
   }
   /// Each piece's clearance c0 + t (c1 + t c2), from three of its values.
   template <typename Visit>
@@ -204,23 +261,17 @@ private:
         continue;
       }
       const double middle = 0.5 * (from + this->Cuts[k + 1]);
-      const long i = long(std::floor(this->X0 + middle * this->SpanX));
-      const long j = long(std::floor(this->Y0 + middle * this->SpanY));
       const double length = to - from;
-      const double f0 = this->AtOver(from, i, j);
-      const double f1 = this->AtOver(from + 0.5 * length, i, j);
-      const double f2 = this->AtOver(to, i, j);
+      const double f0 = this->Over(from, middle);
+      const double f1 = this->Over(from + 0.5 * length, middle);
+      const double f2 = this->Over(to, middle);
       const double c2 = 2. * (f0 - 2. * f1 + f2) / (length * length);
       const double c1 = (4. * f1 - 3. * f0 - f2) / length;
       visit(from, to, f0, c1, c2);
     }
   }
 
-  TrueSurface Surface;
-  double X0;
-  double Y0;
-  double SpanX;
-  double SpanY;
+  Layer Layers[2];
   double Start;
   double Fall;
   double Sag;

@@ -3,6 +3,8 @@
 
 #include "HeightSearchCases.h"
 
+#include <sstream>
+
 template <typename Kernels>
 class CertifiedSearch : public KernelTest<Kernels>
 {
@@ -48,9 +50,10 @@ public:
     return 6. * double(this->Epsilon) * (truth.Size() + truth.DepthSize()) + 2e-7;
   }
 
-  void ExpectTrue(const HeightField& field, const SearchMap& map, MesoWrap wrap, const Path& path)
+  /// texels: that the path may go over.
+  void ExpectTrue(
+    const HeightField& field, const TrueClearance& truth, double texels, const Path& path)
   {
-    const TrueClearance truth(map, wrap, path);
     const double tolerance = this->Tolerance(truth);
     const auto hit = field.searchCertified(path);
     const double end = hit.Hit ? double(hit.Part) : 1.;
@@ -65,8 +68,7 @@ public:
     }
     ASSERT_TRUE(hit.Part == 0 || !(least < -tolerance))
       << (hit.Hit ? "hits at " : "misses up to ") << end << " after clearance " << least;
-    ASSERT_LE(hit.Iterations,
-      std::abs(path.MapSpan.x) * map.Width + std::abs(path.MapSpan.y) * map.Height + 4);
+    ASSERT_LE(hit.Iterations, texels);
 
     int fetches = 0;
     const bool blocked = field.occludedCertified(path, fetches) > 0;
@@ -76,6 +78,21 @@ public:
       ASSERT_TRUE(blocked ? whole < tolerance : whole > -tolerance)
         << "blocked " << blocked << " with clearance " << whole;
     }
+  }
+
+  static double TexelsOf(const SearchMap& map, const Path& path)
+  {
+    return std::abs(path.MapSpan.x) * map.Width + std::abs(path.MapSpan.y) * map.Height + 4;
+  }
+
+  static std::string Describe(const SearchMap& map, MesoWrap wrap, const Path& path)
+  {
+    std::ostringstream text;
+    text << map.Name << ", wrap " << MesoName(wrap) << std::hexfloat << ": start "
+         << path.MapStart.x << " " << path.MapStart.y << ", span " << path.MapSpan.x << " "
+         << path.MapSpan.y << ", depth " << path.DepthStart << " to " << path.DepthEnd << ", sag "
+         << path.Sag;
+    return text.str();
   }
 
   void ExpectTrueForAll(Bend bend, int raysPerCase)
@@ -88,13 +105,42 @@ public:
         for (int ray = 0; ray < raysPerCase; ++ray)
         {
           const Path path = this->RandomPath(map, bend);
-          this->ExpectTrue(field, map, wrap, path);
-          if (this->HasFatalFailure())
+          this->ExpectTrue(field, TrueClearance(map, wrap, path), TexelsOf(map, path), path);
+          ASSERT_FALSE(this->HasFatalFailure()) << Describe(map, wrap, path);
+        }
+      }
+    }
+  }
+
+  /// Whole levels of maps' pyramids and between two.
+  void ExpectTrueOnLevels(Bend bend, int raysPerLevel)
+  {
+    for (const SearchMap& map : HardMaps(this->Generator))
+    {
+      const auto pyramid = MesoMakeHeightPyramid(map.Width, map.Height, map.Heights.data());
+      for (std::size_t k = 0; k < pyramid.size(); ++k)
+      {
+        const auto levelOf = [&](std::size_t number)
+        {
+          return number == 0 ? map
+                             : SearchMap{ map.Name, pyramid[number - 1].Width,
+                                 pyramid[number - 1].Height, pyramid[number - 1].Heights };
+        };
+        const SearchMap lower = levelOf(k);
+        const SearchMap upper = levelOf(k + 1);
+        for (MesoWrap wrap : AllWraps)
+        {
+          for (const double weight : { 0.25, 0.6875, 1. })
           {
-            FAIL() << map.Name << ", wrap " << MesoName(wrap) << ", ray " << ray << std::hexfloat
-                   << ": start " << path.MapStart.x << " " << path.MapStart.y << ", span "
-                   << path.MapSpan.x << " " << path.MapSpan.y << ", depth " << path.DepthStart
-                   << " to " << path.DepthEnd << ", sag " << path.Sag;
+            const auto field = FieldOf<HeightField>(map, wrap, pyramid, Real(double(k) + weight));
+            for (int ray = 0; ray < raysPerLevel; ++ray)
+            {
+              const Path path = this->RandomPath(lower, bend);
+              this->ExpectTrue(field, TrueClearance(lower, upper, weight, wrap, path),
+                TexelsOf(lower, path) + TexelsOf(upper, path), path);
+              ASSERT_FALSE(this->HasFatalFailure())
+                << Describe(map, wrap, path) << ", level " << double(k) + weight;
+            }
           }
         }
       }
@@ -117,6 +163,15 @@ TYPED_TEST(CertifiedSearch, MissesNothingAlongPathsOverConvexBases)
 TYPED_TEST(CertifiedSearch, MissesNothingAlongPathsOverConcaveBases)
 {
   this->ExpectTrueForAll(TestFixture::Bend::Concave, 4000);
+}
+
+TYPED_TEST(CertifiedSearch, MissesNothingOnLevelsOfThePyramidAndBetweenThem)
+{
+  for (auto bend :
+    { TestFixture::Bend::None, TestFixture::Bend::Convex, TestFixture::Bend::Concave })
+  {
+    this->ExpectTrueOnLevels(bend, 300);
+  }
 }
 
 TYPED_TEST(CertifiedSearch, HitsFlatGroundExactly)

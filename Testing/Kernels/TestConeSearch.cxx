@@ -51,7 +51,7 @@ TYPED_TEST(ConeSearch, StepsGoThroughNoRelief)
         const auto near = field.pathNearOrigin(path);
         const TrueClearance truth(map, wrap, near);
         const Real part = this->Random(0., 1.);
-        const double free = double(field.freePartAt(field.texelPath(near), part));
+        const double free = double(field.freePartAt(field.texelPath(near, 0), part));
         ASSERT_GE(free, 0.);
         const double end = std::min(1., double(part) + free);
         longSteps += (end - double(part)) * truth.Size() > 4. ? 1 : 0;

@@ -47,6 +47,13 @@ public:
     return Vec3(x, y, this->Random(-amount, amount));
   }
 
+  auto Exits(const Shape& p, const Vec3& origin, const Vec3& direction)
+  {
+    std::pair<glm::vec<4, Real>, glm::vec<4, Real>> exits;
+    this->K.prismExits(p, origin, direction, exits.first, exits.second);
+    return exits;
+  }
+
   static Vec3 PointOf(const Shape& p, const Vec3& place)
   {
     const Real b0 = 1 - place.x - place.y;
@@ -234,6 +241,90 @@ TYPED_TEST(PrismKernel, FinsThatBendInwardCanBeCrossedTwice)
     }
   }
   EXPECT_GT(twice, 20);
+}
+
+TYPED_TEST(PrismKernel, ExitsAtVerticesAreThoseOfTheRayBetweenThem)
+{
+  using Real = typename TestFixture::Real;
+  using Vec3 = typename TestFixture::Vec3;
+  using Vec4 = decltype(this->Exits(this->Straight(), Vec3(0.), Vec3(1.)).first);
+  int same = 0;
+  int further = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    // Parallel rays into the top: there distances to planes are linear.
+    const auto p = this->Bent(0.15);
+    const Vec3 top[] = { p.Bottom0 + p.Rise0, p.Bottom1 + p.Rise1, p.Bottom2 + p.Rise2 };
+    const Vec3 direction(this->Random(-1., 1.), this->Random(-1., 1.), -1.);
+    Real b[] = { Real(0), this->Random(0.05, 0.9), this->Random(0.05, 0.9) };
+    if (b[1] + b[2] > 0.95)
+    {
+      continue;
+    }
+    b[0] = 1 - b[1] - b[2];
+    Vec3 origin(0.);
+    Vec4 lower(0.);
+    Vec4 upper(0.);
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto exits = this->Exits(p, top[k], direction);
+      origin += b[k] * top[k];
+      lower += b[k] * exits.first;
+      upper += b[k] * exits.second;
+    }
+    const auto span = this->K.prismSpan(p, origin, direction, 0.);
+    if (!(span.Face == 1 && span.Leave > 0.01))
+    {
+      continue;
+    }
+    // A fin that bends inward may be left and entered again: the paper's rule leaves it for good.
+    const Real leave = this->K.leaveByExits(p, lower, upper);
+    ASSERT_GT(leave, span.Leave - 1e4 * this->Epsilon) << i;
+    ++(leave < span.Leave + 1e4 * this->Epsilon ? same : further);
+  }
+  EXPECT_GT(same, 1000);
+  EXPECT_LT(further, same / 10);
+}
+
+TYPED_TEST(PrismKernel, FinsThatBendInwardAreLeftByTheFurtherPlane)
+{
+  using Real = typename TestFixture::Real;
+  using Vec3 = typename TestFixture::Vec3;
+  // The fin over the edge from corner 0 to 1, its top leaning in at one end or out.
+  for (const double lean : { 0.5, -0.5 })
+  {
+    for (const int flags : { 0, 1 })
+    {
+      auto p = this->Straight();
+      p.Rise0 = Vec3(0., lean, 1.);
+      p.Flags = flags;
+      const Vec3 inside(0.45, 0.3, 0.5);
+      const auto exits = this->Exits(p, inside, Vec3(0., -1., 0.));
+      const Real near = std::min(exits.first.y, exits.second.y);
+      const Real far = std::max(exits.first.y, exits.second.y);
+      EXPECT_LT(near, far - 0.01);
+      const bool inward = this->K.finOfPrism(p, 0, Real(1)).Inward;
+      EXPECT_EQ(inward, (lean > 0.) == (flags == 1));
+      EXPECT_EQ(this->K.leaveByExits(p, exits.first, exits.second), inward ? far : near);
+    }
+  }
+}
+
+TYPED_TEST(PrismKernel, PlacesOnFinsAreThoseOfTheNeighbour)
+{
+  using Vec3 = typename TestFixture::Vec3;
+  const Vec3 corners[] = { Vec3(0., 0., 0.3), Vec3(1., 0., 0.3), Vec3(0., 1., 0.3) };
+  for (int fin = 0; fin < 3; ++fin)
+  {
+    const Vec3 place = this->K.placeOnFin(fin, 0.25, 0.3);
+    const Vec3 expected =
+      corners[fin] + (corners[(fin + 1) % 3] - corners[fin]) * typename TestFixture::Real(0.25);
+    EXPECT_NEAR(glm::length(place - expected), 0., 10. * this->Epsilon);
+    EXPECT_NEAR(this->K.alongFin(fin, place), 0.25, this->Epsilon);
+    EXPECT_EQ(this->K.nearestFace(place), 2 + fin);
+  }
+  EXPECT_EQ(this->K.nearestFace(Vec3(0.3, 0.3, 0.01)), 0);
+  EXPECT_EQ(this->K.nearestFace(Vec3(0.3, 0.3, 0.99)), 1);
 }
 
 TYPED_TEST(PrismKernel, AFanAroundAVertexFillsARayThroughIt)

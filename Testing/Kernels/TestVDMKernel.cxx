@@ -119,6 +119,25 @@ public:
     EXPECT_EQ(this->Kernel.vdmCurvaturePlace(single, 1), 0);
   }
 
+  void SteeperAnglesGoOnToTheNormal()
+  {
+    for (int nodes = 0; nodes < 3; ++nodes)
+    {
+      const auto layout = this->Layout(0, nodes);
+      const auto first = this->Kernel.vdmPolarAt(layout, 0);
+      EXPECT_NEAR(this->Kernel.vdmSteeper(layout, first), 0., 1e-5) << nodes;
+      EXPECT_EQ(this->Kernel.vdmSteeper(layout, Real(1.2)), 0) << nodes;
+      if (nodes == Table::VDMNodesEdges)
+      {
+        EXPECT_EQ(first, 0);
+        continue;
+      }
+      EXPECT_NEAR(this->Kernel.vdmSteeper(layout, 0), 1., 1e-5) << nodes;
+      // Nearly even between, as places are.
+      EXPECT_NEAR(this->Kernel.vdmSteeper(layout, Real(0.5) * first), 0.5, 0.01) << nodes;
+    }
+  }
+
   void DirectionsGoRoundAndDown()
   {
     using Vec3 = glm::vec<3, Real>;
@@ -240,6 +259,12 @@ TEST(VDMKernel, EdgesOfAxesAreTheirEnds)
 {
   FloatCheck().EdgesOfAxesAreTheirEnds();
   DoubleCheck().EdgesOfAxesAreTheirEnds();
+}
+
+TEST(VDMKernel, SteeperAnglesGoOnToTheNormal)
+{
+  FloatCheck().SteeperAnglesGoOnToTheNormal();
+  DoubleCheck().SteeperAnglesGoOnToTheNormal();
 }
 
 TEST(VDMKernel, DirectionsGoRoundAndDown)

@@ -104,8 +104,8 @@ TYPED_TEST(VolumeKernel, FindsTheFirstMeeting)
     const Vec3 from(this->Random(0., 1.), this->Random(0., 1.), this->Random(0.95, 1.));
     const Vec3 to(this->Random(-1., 2.), this->Random(-1., 2.), 0.);
     const Vec3 span = to - from;
-    const auto hit =
-      volume.searchVolume(from, span, Real(this->Depth), Real(0.25) * voxel, 256, false);
+    const auto hit = volume.exactHit(from, span,
+      volume.bracketInVolume(from, span, Real(this->Depth), Real(0.25) * voxel, 256, false));
     constexpr int marches = 4000;
     double first = 2.;
     double nearest = 1.;
@@ -139,19 +139,19 @@ TYPED_TEST(VolumeKernel, AWayThatStartsInMatterMeetsItThere)
   using Vec3 = typename TestFixture::Vec3;
   const std::array<int, 3> size = { 16, 16, 16 };
   const typename TestFixture::Volume volume(size, this->Ball(size));
-  const auto inside = volume.searchVolume(
+  const auto inside = volume.bracketInVolume(
     Vec3(0.5, 0.5, 0.5), Vec3(0., 0., 1.), Real(this->Depth), Real(0.02), 64, false);
   EXPECT_TRUE(inside.Found);
   EXPECT_EQ(inside.Part, 0.);
-  const auto nowhere = volume.searchVolume(
+  const auto nowhere = volume.bracketInVolume(
     Vec3(0., 0., 0.5), Vec3(0., 0., 0.), Real(this->Depth), Real(0.02), 64, false);
   EXPECT_FALSE(nowhere.Found);
   // From the ball's surface away from it, and into it.
   const Vec3 top(0.5, 0.5, 0.5 + 0.2 / this->Depth);
   EXPECT_FALSE(
-    volume.searchVolume(top, Vec3(0., 0., 0.09), Real(this->Depth), Real(0.02), 64, true).Found);
+    volume.bracketInVolume(top, Vec3(0., 0., 0.09), Real(this->Depth), Real(0.02), 64, true).Found);
   EXPECT_TRUE(
-    volume.searchVolume(top, Vec3(0., 0., -0.5), Real(this->Depth), Real(0.02), 64, true).Found);
+    volume.bracketInVolume(top, Vec3(0., 0., -0.5), Real(this->Depth), Real(0.02), 64, true).Found);
 }
 
 TYPED_TEST(VolumeKernel, PlacesAreLiftedOffMatter)

@@ -5,12 +5,14 @@
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMesoMeshTile.h"
 #include "vtkMesoVolumeTile.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -147,6 +149,26 @@ TEST(VolumeTile, InterpolatesOverTheBorderWhereTheGridIsFiner)
   EXPECT_NEAR(At(output, 3, 0, 3), 11.25, 1e-6); // and no further in z
 }
 
+TEST(VolumeTile, TellsTheNextFilterHowLargeItIs)
+{
+  vtkNew<vtkMesoVolumeTile> tile;
+  tile->SetInputData(Image({ 40, 20, 9 }, [](int i, int, int) { return i; }));
+  tile->SetCrop(0, 20, 0, 0, 1, 9);
+  tile->SetBlend(0.25);
+  tile->SetSize(0, 0, 4);
+  tile->UpdateInformation();
+  const int* extent =
+    tile->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  tile->Update();
+  for (int k = 0; k < 6; ++k)
+  {
+    EXPECT_EQ(extent[k], tile->GetOutput()->GetExtent()[k]) << k;
+  }
+  EXPECT_EQ(extent[1], 14);
+  EXPECT_EQ(extent[3], 14);
+  EXPECT_EQ(extent[5], 3);
+}
+
 TEST(VolumeTile, RefusesACropBeyondTheVolume)
 {
   vtkNew<vtkMesoVolumeTile> tile;
@@ -216,4 +238,46 @@ TEST(MeshTile, RefusesWhatHasNoInside)
   tile->Update();
   ASSERT_EQ(errors.Errors.size(), 2u);
   EXPECT_NE(errors.Errors[1].find("inside out"), std::string::npos);
+}
+
+TEST(VolumeColors, AreResampledToTheVolume)
+{
+  const auto volume = MesoMakeVolume({ 4, 2, 2 }, 0.5, std::vector<float>(16, 1.f));
+  EXPECT_EQ(MesoVolumeColors(volume), nullptr);
+  const auto colors = [](int type, int components, double red)
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(8, 2, 2);
+    image->AllocateScalars(type, components);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      for (int k = 0; k < components; ++k)
+      {
+        // Red in the tile's right half, green everywhere, blue none.
+        image->GetPointData()->GetScalars()->SetComponent(
+          i, k, k == 0 ? (i % 8 < 4 ? 0. : red) : (k == 1 ? red : 0.));
+      }
+    }
+    return image;
+  };
+  const std::pair<int, double> types[] = { { VTK_UNSIGNED_CHAR, 255. },
+    { VTK_UNSIGNED_SHORT, 65535. }, { VTK_FLOAT, 1. }, { VTK_DOUBLE, 7. } };
+  for (const auto& [type, most] : types)
+  {
+    EXPECT_EQ(MesoSetVolumeColors(volume, colors(type, 4, most)), "");
+    EXPECT_EQ(MesoVolumeProblem(volume), "");
+    vtkFloatArray* result = MesoVolumeColors(volume);
+    ASSERT_NE(result, nullptr);
+    ASSERT_EQ(result->GetNumberOfTuples(), 16);
+    for (int i = 0; i < 16; ++i)
+    {
+      // A tent of two samples' width: at the border it takes some of what is beside it.
+      const double red = result->GetComponent(i, 0);
+      EXPECT_TRUE(i % 4 < 2 ? red < 0.5 : red > 0.5 * std::min(most, 1.)) << type << " " << i;
+      EXPECT_NEAR(result->GetComponent(i, 1), 1., 1e-6);
+      EXPECT_EQ(result->GetComponent(i, 2), 0.);
+    }
+  }
+  EXPECT_NE(MesoSetVolumeColors(volume, colors(VTK_FLOAT, 2, 1.)), "");
+  EXPECT_NE(MesoSetVolumeColors(volume, colors(VTK_FLOAT, 3, std::nan(""))), "");
 }

@@ -55,6 +55,57 @@ TEST(CurvedAgainstReference, OnATorus)
   EXPECT_LT(surface.ShadowCast, 0.08);
 }
 
+TEST(CurvedAgainstReference, WithBicubicHeights)
+{
+  // Close to the torus, texels of some ten pixels: the reference's own spline, displaced over the mesh.
+  const auto close = [](const std::string& technique, MesoInterpolation interpolation)
+  {
+    MesoScene scene = Torus(technique);
+    scene.Camera.FocalPoint = { 0.2, 0.1, 0.9 };
+    scene.Camera.Position = { 0.6, 1.6, 2.4 };
+    scene.Camera.ViewAngle = 34.;
+    scene.Nodes[0].Map->Pattern = "noise";
+    scene.Nodes[0].Map->Size = { 24, 24 };
+    scene.Nodes[0].Mesostructure.Scale = 0.08;
+    scene.Nodes[0].Mesostructure.Interpolation = interpolation;
+    return scene;
+  };
+  const std::string quadric = R"("technique": "relief-quadric")";
+  const MesoAOVs truth = MesoAOVsOfImage(
+    MesoReference(close(quadric, MesoInterpolation::Bicubic)).Render(Size, Size).AOVs);
+  struct Arm
+  {
+    std::string Technique;
+    double Coverage;
+    double Texels; ///< p50
+    double Depth;  ///< p95, of D
+    double Normal; ///< mean, degrees
+  };
+  const Arm arms[] = { { quadric, 0.985, 0.12, 0.16, 2.8 },
+    { quadric + R"(, "curved": "osculating")", 0.985, 0.07, 0.11, 2.1 },
+    { quadric + R"(, "curved": "bent")", 0.994, 0.03, 0.07, 0.8 },
+    { quadric + R"(, "curved": "surface")", 0.996, 0.005, 0.04, 0.4 } };
+  for (const Arm& arm : arms)
+  {
+    const auto errorOf = [&](MesoInterpolation interpolation) {
+      return MesoCompareGeometry(truth, DrawnAOVs(close(arm.Technique, interpolation), Size, Size));
+    };
+    const MesoGeometryError cubic = errorOf(MesoInterpolation::Bicubic);
+    const MesoGeometryError bilinear = errorOf(MesoInterpolation::Bilinear);
+    std::cout << arm.Technique << ": bicubic iou " << cubic.CoverageIou << ", texels p50 "
+              << cubic.Texcoord.P50 << " p95 " << cubic.Texcoord.P95 << ", depth p95 "
+              << cubic.Depth.P95 << ", normal " << cubic.Normal.Mean << "; bilinear normal "
+              << bilinear.Normal.Mean << ", depth p50 " << bilinear.Depth.P50 << "\n";
+    EXPECT_EQ(cubic.NanPixels, 0u) << arm.Technique;
+    EXPECT_EQ(cubic.HolePixels, 0u) << arm.Technique;
+    EXPECT_GT(cubic.CoverageIou, arm.Coverage) << arm.Technique;
+    EXPECT_LT(cubic.Texcoord.P50, arm.Texels) << arm.Technique;
+    EXPECT_LT(cubic.Depth.P95, arm.Depth) << arm.Technique;
+    EXPECT_LT(cubic.Normal.Mean, arm.Normal) << arm.Technique;
+    EXPECT_GT(bilinear.Normal.Mean, 1.5 * cubic.Normal.Mean) << arm.Technique;
+  }
+}
+
 TEST(CurvedAgainstReference, CutByPlanes)
 {
   // Half a torus and the inside of its tube behind the cut: planes cut what is seen, at the hit, whatever

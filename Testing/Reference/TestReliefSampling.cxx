@@ -235,11 +235,45 @@ TEST(ReliefSampling, LevelsMeetWithoutALine)
   }
 }
 
+TEST(ReliefSampling, CertifiedFindsTheSameLevels)
+{
+  // By cones of the levels, where the others go in equal steps: the same pictures, near and far, straight and
+  // over a quadric. A field to the horizon has all levels in one picture.
+  for (const char* technique : { "relief", "relief-quadric" })
+  {
+    for (const MesoWrap wrap : { MesoWrap::Repeat, MesoWrap::Mirror })
+    {
+      MesoScene scene = Field(30., "auto");
+      scene.Camera.Position = { 0., -45., 12. };
+      scene.Nodes[0].Mesostructure.Technique = *MesoTechniqueFromName(technique);
+      scene.Nodes[0].Mesostructure.Wrap = wrap;
+      scene.Nodes[0].Mesostructure.Quality = MesoQuality::High;
+      const Picture steps = DrawnPicture(scene, 80, 80);
+      scene.Nodes[0].Mesostructure.Search = MesoSearch::Certified;
+      const Picture certified = DrawnPicture(scene, 80, 80);
+      scene.Nodes[0].Mesostructure.Filter = MesoFilter::None;
+      const Picture unfiltered = DrawnPicture(scene, 80, 80);
+      std::cout << technique << " " << MesoName(wrap) << ": from equal steps "
+                << Distance(certified, steps) << ", from no filter "
+                << Distance(certified, unfiltered) << "\n";
+      EXPECT_LT(Distance(certified, steps), 0.004) << technique << " " << MesoName(wrap);
+      EXPECT_GT(Distance(certified, unfiltered), 0.03) << technique << " " << MesoName(wrap);
+    }
+  }
+}
+
 TEST(ReliefSampling, NumbersAreOfTheMapItself)
 {
-  const MesoExrImage filtered = DrawnImage(Field(60., "auto"), 40, 40);
-  const MesoExrImage plain = DrawnImage(Field(60., "none"), 40, 40);
-  EXPECT_EQ(filtered.Data, plain.Data);
+  for (const MesoSearch search : { MesoSearch::LinearBinary, MesoSearch::Certified })
+  {
+    const auto numbers = [search](const char* filter)
+    {
+      MesoScene scene = Field(60., filter);
+      scene.Nodes[0].Mesostructure.Search = search;
+      return DrawnImage(scene, 40, 40).Data;
+    };
+    EXPECT_EQ(numbers("auto"), numbers("none")) << MesoName(search);
+  }
 }
 
 TEST(ReliefSampling, ColoursDoNotStray)

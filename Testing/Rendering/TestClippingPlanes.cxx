@@ -84,6 +84,37 @@ TEST(ClippingPlanes, ThroughTheCutTheRayGoesOnToWhatLiesBehind)
   }
 }
 
+TEST(ClippingPlanes, WhatIsCutAwayCastsNoShadow)
+{
+  // The same kind of ridge, seen from above, in light from its side: 0.3 of ground beside it are dark.
+  auto ridge = MesoTestScene::Pattern("step", 64, 1);
+  for (int i = 0; i < 64; ++i)
+  {
+    ridge->SetScalarComponentFromFloat(i, 0, 0, 0, i >= 16 && i < 32 ? 1.f : 0.f);
+  }
+  MesoTiltedPlane scene(0., 0.3, ridge, Size);
+  scene.AddDirectionalLight(1., 0., -1.);
+  const auto expectShadow = [&](float expected)
+  {
+    scene.Capture();
+    int pixels = 0;
+    for (int column = 0; column < Size; ++column)
+    {
+      const double u = scene.EntryU(column);
+      if (u > 0.54 && u < 0.76)
+      {
+        EXPECT_NEAR(scene.Pass->GetValue("relief", column, 40), 1., 1e-6) << u;
+        EXPECT_EQ(scene.Pass->GetValue("shadow.0", column, 40), expected) << u;
+        ++pixels;
+      }
+    }
+    EXPECT_GT(pixels, 20);
+  };
+  expectShadow(1.f);
+  Cut(scene.Mapper, 0.02, 0., 0., 1., 0., 0.); // all of the ridge is gone
+  expectShadow(0.f);
+}
+
 TEST(ClippingPlanes, OfASceneCutTheReferenceAndTheTechniqueAlike)
 {
   const std::string text = R"({ "meso": 1,

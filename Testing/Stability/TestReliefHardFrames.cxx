@@ -147,6 +147,19 @@ TEST_P(ReliefHardFrames, Matrices)
   }
 }
 
+TEST_P(ReliefHardFrames, MatricesThatFlattenDrawNoNonsense)
+{
+  this->Use(MesoTestScene::Shape("torus"));
+  this->Scene.LookFrom(0.4, 2., 5.);
+  for (const int axis : { 0, 1, 2 })
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->SetElement(axis, axis, 0.);
+    this->Scene.Actor->SetUserMatrix(matrix);
+    this->Check(); // whatever is drawn is sound
+  }
+}
+
 TEST_P(ReliefHardFrames, SizeAndPlaceOfTheModelDoNotMatter)
 {
   this->Use(Plane(SameUV, SamePlace));

@@ -183,6 +183,31 @@ TEST_P(ReliefHardViews, LightsFromEverywhere)
   EXPECT_EQ(this->Pass->GetChannel("shadow.1"), coverage);
 }
 
+TEST_P(ReliefHardViews, WithoutALight)
+{
+  this->LookAt(50.);
+  this->Scene.Renderer->RemoveAllLights();
+  EXPECT_GT(this->Check(), 1000);
+  for (const std::string& channel : this->Pass->GetChannelNames())
+  {
+    EXPECT_NE(channel, "shadow.0");
+  }
+}
+
+TEST_P(ReliefHardViews, AHeadlightSeesNoShadowOfItsOwn)
+{
+  this->LookAt(50.);
+  this->Scene.Renderer->RemoveAllLights();
+  this->Scene.AddHeadlight(); // directional, along the view's axis
+  this->Scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Scene.Renderer->GetActiveCamera()->SetParallelScale(0.3);
+  this->Scene.Renderer->ResetCameraClippingRange();
+  const int covered = this->Check();
+  EXPECT_GT(covered, 4000);
+  const auto shadow = this->Pass->GetChannel("shadow.0");
+  EXPECT_LT(std::count(shadow.begin(), shadow.end(), 1.f), covered / 40); // walls seen edge-on
+}
+
 TEST_P(ReliefHardViews, SpotAtItsConesEdge)
 {
   this->LookAt(60.);

@@ -22,6 +22,8 @@ class PrismShell : public testing::Test
 protected:
   vtkNew<vtkMesoPrismShell> Filter;
 
+  PrismShell() { this->Filter->InnerFinsOn(); }
+
   vtkPolyData* Shell(vtkPolyData* mesh, double thickness)
   {
     this->Filter->SetInputData(mesh);
@@ -105,6 +107,46 @@ TEST_F(PrismShell, OfATorusHasNoOpening)
   const double smooth = 2. * 9.8696 * (0.5 * 0.5 - 0.4 * 0.4);
   EXPECT_GT(volume, 0.95 * smooth);
   EXPECT_LT(volume, smooth);
+}
+
+TEST_F(PrismShell, PrismsKnowThoseBeyondTheirFins)
+{
+  for (const char* shape : { "torus", "plane", "sphere" })
+  {
+    vtkPolyData* shell = this->Shell(ShapeMesh(shape, {}), 0.05);
+    vtkDataArray* table = shell->GetFieldData()->GetArray("MesoPrismTable");
+    const vtkIdType prisms = table->GetNumberOfTuples() / 7;
+    const auto beyond = [&](vtkIdType prism, int fin)
+    { return static_cast<vtkIdType>(table->GetComponent(7 * prism + 6, 1 + fin)); };
+    // The bottom's corners of a fin.
+    const auto edge = [&](vtkIdType prism, int fin)
+    {
+      return std::set<MesoVector>{ PositionOf(shell, 6 * prism + fin),
+        PositionOf(shell, 6 * prism + (fin + 1) % 3) };
+    };
+    vtkIdType open = 0;
+    for (vtkIdType prism = 0; prism < prisms; ++prism)
+    {
+      for (int fin = 0; fin < 3; ++fin)
+      {
+        const vtkIdType other = beyond(prism, fin);
+        ASSERT_LT(other, prisms);
+        open += other < 0 ? 1 : 0;
+        int shared = 0;
+        for (int k = 0; k < 3 && other >= 0; ++k)
+        {
+          shared += beyond(other, k) == prism && edge(other, k) == edge(prism, fin) ? 1 : 0;
+        }
+        ASSERT_EQ(shared, other < 0 ? 0 : 1) << shape << " " << prism << " " << fin;
+      }
+    }
+    EXPECT_EQ(open, this->Filter->GetNumberOfOpenFins());
+    // The outside alone: bottoms, tops and open fins.
+    this->Filter->InnerFinsOff();
+    this->Filter->Update();
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPolys(), 2 * prisms + 2 * open) << shape;
+    this->Filter->InnerFinsOn();
+  }
 }
 
 TEST_F(PrismShell, CornersAreWhereTheMapOfPrismsSays)
@@ -197,6 +239,10 @@ TEST_F(PrismShell, HardEdgesTJunctionsAndDuplicatesEndByFins)
   // The same triangle twice, and one without area.
   this->Shell(MakeMesh(tee, teeUv, { { 0, 1, 2 }, { 0, 1, 2 }, { 0, 3, 1 } }), 0.1);
   EXPECT_EQ(this->Filter->GetNumberOfDegenerateTriangles(), 1);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPolys(), 16);
+  // Neither of the two is beyond the other's fins.
+  this->Filter->InnerFinsOff();
+  this->Filter->Update();
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPolys(), 16);
 }
 

@@ -5,8 +5,8 @@
  * @class MesoHeightTexture
  * @brief A height map in memory, read as a shader reads its texture.
  *
- * Offers the four accessors that the kernel HeightField.glsl asks for, and fetchCone that HeightCone.glsl
- * asks for; Real is the number that the kernels around it compute with. Heights are in [0,1], row by row, row 0 at map coordinate v = 0;
+ * Offers the four accessors that the kernel HeightField.glsl asks for, and those of levels and cones that
+ * HeightLevels.glsl and HeightCone.glsl ask for; Real is the number that the kernels around it compute with. Heights are in [0,1], row by row, row 0 at map coordinate v = 0;
  * texel centres lie at (i + 0.5) / size. Constant after construction, so threads may share it.
  *
  * sampleHeight follows the OpenGL 3.2 core specification, section 3.8.8 (wrap modes REPEAT,
@@ -68,6 +68,22 @@ public:
     this->ConeSteepness = steepness;
   }
 
+  /// A level of the map's pyramid above the map itself, with its cones.
+  struct Level
+  {
+    int Width;
+    int Height;
+    std::vector<float> Heights;
+    std::vector<unsigned char> ConeApex;
+    std::vector<unsigned char> ConeSteepness;
+  };
+  /// The levels from the first above the map on, and the one that searches look for.
+  void SetLevels(std::vector<Level> levels, Real searched)
+  {
+    this->Levels = std::move(levels);
+    this->Searched = searched;
+  }
+
   ///@{
   /// The accessors, named as the kernels call them.
   Real fetchHeight(const glm::ivec2& texel) const
@@ -86,17 +102,34 @@ public:
     return (1 - row.Weight) * between(row.Low) + row.Weight * between(row.High);
   }
   glm::ivec2 mapSize() const { return { this->Width, this->Height }; }
-  glm::vec<2, Real> fetchCone(const glm::ivec2& texel, int travel) const
+  Real surfaceLevel() const { return this->Searched; }
+  glm::ivec2 levelSize(int level) const
   {
-    const std::size_t i =
-      4 * (std::size_t(texel.y) * std::size_t(this->Width) + std::size_t(texel.x)) +
-      std::size_t(travel);
-    return { Real(this->ConeApex.at(i)) / Real(255), Real(this->ConeSteepness.at(i)) / Real(255) };
+    return level == 0 ? this->mapSize()
+                      : glm::ivec2(this->Above(level).Width, this->Above(level).Height);
+  }
+  Real fetchLevel(const glm::ivec2& texel, int level) const
+  {
+    return level == 0 ? this->fetchHeight(texel)
+                      : this->Above(level).Heights[this->At(texel, level)];
+  }
+  glm::vec<2, Real> fetchCone(const glm::ivec2& texel, int travel, int level) const
+  {
+    const auto& apex = level == 0 ? this->ConeApex : this->Above(level).ConeApex;
+    const auto& steepness = level == 0 ? this->ConeSteepness : this->Above(level).ConeSteepness;
+    const std::size_t i = 4 * this->At(texel, level) + std::size_t(travel);
+    return { Real(apex.at(i)) / Real(255), Real(steepness.at(i)) / Real(255) };
   }
   int wrapMode() const { return static_cast<int>(this->Wrap); }
   ///@}
 
 private:
+  const Level& Above(int level) const { return this->Levels.at(std::size_t(level) - 1); }
+  std::size_t At(const glm::ivec2& texel, int level) const
+  {
+    return std::size_t(texel.y) * std::size_t(this->levelSize(level).x) + std::size_t(texel.x);
+  }
+
   /// The two texels around a map coordinate along one axis, and the upper one's weight.
   struct Axis
   {
@@ -147,6 +180,8 @@ private:
   std::vector<float> Heights;
   std::vector<unsigned char> ConeApex;
   std::vector<unsigned char> ConeSteepness;
+  std::vector<Level> Levels;
+  Real Searched = 0;
   Real WeightSteps = 0;
 };
 

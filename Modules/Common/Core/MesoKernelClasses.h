@@ -84,9 +84,10 @@ public:
   using MesoHeightTexture<Real>::MesoHeightTexture;
 #include MESO_KERNEL(HeightBilinear)
 #include MESO_KERNEL(HeightField)
+#include MESO_KERNEL(HeightLevels)
   Real surfaceHeight(RealVec2 uv) const
   {
-    return this->mapHeight(uv);
+    return this->heightAtLevel(uv, this->surfaceLevel());
   }
 #include MESO_KERNEL(HeightPath)
 #include MESO_KERNEL(HeightHit)

@@ -18,6 +18,23 @@ bool Has(vtkFieldData* data, const char* name, vtkIdType tuples, int components)
   return array && array->GetNumberOfTuples() == tuples &&
     array->GetNumberOfComponents() == components;
 }
+
+/// Whether all numbers of an array are finite; whole numbers are.
+bool IsFinite(vtkDataArray* array)
+{
+  const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+  for (vtkIdType i = 0; isReal && i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+    {
+      if (!std::isfinite(array->GetComponent(i, component)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
 }
 
 MesoGDMShape MesoGDMShape::Of(vtkImageData* table)
@@ -69,5 +86,15 @@ std::string MesoGDMTableProblem(vtkImageData* table)
       (Has(data, "MesoGDMFunctions", columns, shape.Rank) &&
         Has(data, "MesoGDMWeightRange", 2, shape.Rank))) &&
     Has(data, "MesoGDMVolume", vtkIdType(size[0]) * size[1] * shape.Size[2], 1);
-  return fits ? std::string() : none + ": its arrays are not those that its shape asks for";
+  if (!fits)
+  {
+    return none + ": its arrays are not those that its shape asks for";
+  }
+  bool isFinite = IsFinite(data->GetArray("MesoGDMVolume")) &&
+    IsFinite(table->GetPointData()->GetArray(isFactored ? "MesoGDMWeights" : "MesoGDMDistances"));
+  for (const char* name : { "MesoGDMFunctions", "MesoGDMWeightRange" })
+  {
+    isFinite = isFinite && (!isFactored || IsFinite(data->GetArray(name)));
+  }
+  return isFinite ? std::string() : none + ": it holds numbers that are not finite";
 }

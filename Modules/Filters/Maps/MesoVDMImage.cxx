@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
@@ -61,6 +62,17 @@ void AddWeights(
   image->GetPointData()->SetScalars(codes);
 }
 
+std::vector<double> NumbersOf(const char* name, vtkImageData* image)
+{
+  vtkDataArray* array = image->GetFieldData()->GetArray(name);
+  std::vector<double> numbers(array->GetNumberOfTuples());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    numbers[i] = array->GetTuple1(static_cast<vtkIdType>(i));
+  }
+  return numbers;
+}
+
 /// Of the columns from `first` on, a tuple each.
 void AddFunctions(const MesoTableFactors& factors, int first, int count, int rank, double scale,
   const char* name, vtkImageData* image)
@@ -89,6 +101,96 @@ void AddNumbers(const std::vector<double>& numbers, const char* name, vtkImageDa
     array->InsertNextValue(number);
   }
   image->GetFieldData()->AddArray(array);
+}
+
+/// Functions in a field of an image, factor by factor.
+std::vector<std::vector<float>> FunctionsOf(const char* name, vtkImageData* image)
+{
+  vtkDataArray* array = image->GetFieldData()->GetArray(name);
+  std::vector<std::vector<float>> functions(array->GetNumberOfComponents());
+  for (std::size_t i = 0; i < functions.size(); ++i)
+  {
+    for (vtkIdType column = 0; column < array->GetNumberOfTuples(); ++column)
+    {
+      functions[i].push_back(static_cast<float>(array->GetComponent(column, static_cast<int>(i))));
+    }
+  }
+  return functions;
+}
+
+/// What coded factors leave of the numbers that they stand for, in which the largest angles are scaled: root
+/// mean square and maximum of the distances, root mean square of the angles over convex bases.
+std::vector<double> FactorErrorsOf(
+  const MesoVDMLayout& layout, const MesoVDMNumbers& numbers, double scale, vtkImageData* image)
+{
+  struct Sums
+  {
+    double Distance = 0.;
+    double Largest = 0.;
+    double Angle = 0.;
+  };
+  vtkDataArray* codes = image->GetPointData()->GetScalars();
+  const std::vector<std::vector<float>> functions = FunctionsOf("VDMFunctions", image);
+  const std::vector<std::vector<float>> angleFunctions = FunctionsOf("MVMFunctions", image);
+  const std::vector<double> lows = NumbersOf("WeightLow", image);
+  const std::vector<double> widths = NumbersOf("WeightWidth", image);
+  const double most = codes->GetDataTypeMax();
+  const std::size_t distances = layout.DistanceColumns();
+  const std::size_t curvatures = layout.Curvatures;
+  std::size_t flats = 0; // curvatures over which every ray comes down
+  while (flats < curvatures && layout.CurvatureAt(static_cast<int>(flats)) <= 0.)
+  {
+    ++flats;
+  }
+  const std::size_t area = layout.Rows() / layout.Azimuths;
+  // An azimuth each, so that sums do not depend on threads.
+  std::vector<Sums> parts(layout.Azimuths);
+  vtkSMPTools::For(0, layout.Azimuths, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<float> off(layout.Columns());
+      for (std::size_t row = begin * area; row < end * area; ++row)
+      {
+        Sums& sums = parts[row / area];
+        const float* here = &numbers[row * off.size()];
+        std::transform(here, here + distances, off.begin(), [](float number) { return -number; });
+        std::transform(here + distances, here + off.size(), off.begin() + distances,
+          [&](float number) { return static_cast<float>(-number / scale); });
+        for (std::size_t i = 0; i < lows.size(); ++i)
+        {
+          const double code = codes->GetComponent(static_cast<vtkIdType>(row), static_cast<int>(i));
+          const auto weight = static_cast<float>(lows[i] + widths[i] * code / most);
+          for (std::size_t k = 0; i < functions.size() && k < distances; ++k)
+          {
+            off[k] += weight * functions[i][k];
+          }
+          for (std::size_t k = flats; i < angleFunctions.size() && k < curvatures; ++k)
+          {
+            off[distances + k] += weight * angleFunctions[i][k];
+          }
+        }
+        for (std::size_t k = 0; k < distances; ++k)
+        {
+          sums.Distance += double(off[k]) * off[k];
+          sums.Largest = std::max(sums.Largest, std::abs(double(off[k])));
+        }
+        for (std::size_t k = flats; k < curvatures; ++k)
+        {
+          sums.Angle += double(off[distances + k]) * off[distances + k];
+        }
+      }
+    });
+  Sums all;
+  for (const Sums& part : parts)
+  {
+    all.Distance += part.Distance;
+    all.Largest = std::max(all.Largest, part.Largest);
+    all.Angle += part.Angle;
+  }
+  const double ofDistances = double(layout.Rows()) * double(distances);
+  const double ofAngles =
+    double(layout.Rows()) * double(std::max<std::size_t>(curvatures - flats, 1));
+  return { std::sqrt(all.Distance / ofDistances), all.Largest, std::sqrt(all.Angle / ofAngles) };
 }
 
 double RootMeanSquare(const MesoVDMNumbers& numbers, int columns, int first, int end)
@@ -217,5 +319,6 @@ bool MesoStoreVDMFactors(const MesoVDMLayout& layout, MesoVDMNumbers& numbers,
   AddNumbers(lows, "WeightLow", image);
   AddNumbers(widths, "WeightWidth", image);
   AddNumbers(errors, "Errors", image);
+  AddNumbers(FactorErrorsOf(layout, numbers, scale, image), "FactorErrors", image);
   return true;
 }

@@ -261,14 +261,18 @@ double MesoVDMRays::Flattest(MesoHeightLine::Profile& profile, const Fan& fan, P
   { return arc.Versine + depth * arc.Cosine; };
   const auto runOf = [c](const Fan::Arc& arc, double depth) { return (1. - c * depth) * arc.Sine; };
   constexpr double Margin = 1e-4; // that the parabola may be off
+  // Angles at the centre up to which stretches begin, and are looked at: what is behind it is seen steeply.
+  constexpr double LastArc = 3.;
+  constexpr double LargestArc = 3.1;
   double best = HUGE_VAL;
-  const double reach = 2. * std::acos(1. - c * this->Layout.Depth) / c;
+  const double reach = std::min(2. * std::acos(1. - c * this->Layout.Depth), LastArc) / c;
   std::size_t cut = 1;
-  for (; cut < offsets.size() && offsets[cut] <= reach; ++cut)
+  for (; cut < offsets.size() && offsets[cut - 1] <= reach; ++cut)
   {
+    const Fan::Arc& near = fan.Arcs[2 * cut - 2];
     const Fan::Arc& arc = fan.Arcs[2 * cut];
-    // Even a point of the base itself is seen no more flatly from here on.
-    if (arc.Versine >= best * arc.Sine)
+    // Even a point of the base itself is seen no more flatly from the stretch's beginning on.
+    if (near.Versine >= best * near.Sine)
     {
       break;
     }
@@ -276,7 +280,6 @@ double MesoVDMRays::Flattest(MesoHeightLine::Profile& profile, const Fan& fan, P
     const double end = profile.DepthAt(cut);
     // Within the stretch up to this cut the surface lies no higher than this.
     const double least = std::min(profile.DepthAt(cut - 1), end) - profile.SagAfter(cut - 1);
-    const Fan::Arc& near = fan.Arcs[2 * cut - 2];
     if (cut > 1 && arc.Cosine > 0. &&
       std::min(riseOf(near, least), riseOf(arc, least)) >=
         best * std::max(runOf(near, least), runOf(arc, least)))
@@ -284,7 +287,7 @@ double MesoVDMRays::Flattest(MesoHeightLine::Profile& profile, const Fan& fan, P
       continue;
     }
     const double length = offsets[cut] - offsets[cut - 1];
-    const double value = riseOf(arc, end) / runOf(arc, end);
+    const double value = arc.Sine > 0. ? riseOf(arc, end) / runOf(arc, end) : HUGE_VAL;
     if (value < best)
     {
       best = value;
@@ -292,35 +295,33 @@ double MesoVDMRays::Flattest(MesoHeightLine::Profile& profile, const Fan& fan, P
     }
     // Between the cuts: near the vertex of the parabola through both ends and the middle. At the entry itself
     // the cotangent has no bound.
-    const double depthMiddle = profile.DepthBetween(cut - 1, 0.5 * length);
-    const Fan::Arc& between = fan.Arcs[2 * cut - 1];
-    const double middle = riseOf(between, depthMiddle) / runOf(between, depthMiddle);
-    double vertex = std::min(middle, value);
     double along = 0.5 * length;
     if (cut > 1 && c * length <= CoarseAngle)
     {
       const double before =
         riseOf(near, profile.DepthAt(cut - 1)) / runOf(near, profile.DepthAt(cut - 1));
+      const double depthMiddle = profile.DepthBetween(cut - 1, along);
+      const Fan::Arc& between = fan.Arcs[2 * cut - 1];
+      const double middle = riseOf(between, depthMiddle) / runOf(between, depthMiddle);
       const double bend = before - 2. * middle + value;
       const double shift =
         bend > 0. ? 0.25 * (before - value) / bend : 1.; // lengths from the middle
-      if (std::abs(shift) >= 0.5)
+      const double vertex = middle - 0.125 * (before - value) * (before - value) / bend;
+      if (!(std::abs(shift) < 0.5) || vertex >= best + Margin)
       {
         continue;
       }
-      vertex = middle - 0.125 * (before - value) * (before - value) / bend;
       along += shift * length;
     }
-    if (vertex < best + Margin || c * length > CoarseAngle)
+    const double searched = std::min(length, LargestArc / c - offsets[cut - 1]);
+    along =
+      FlattestBetween(profile, c, cut - 1, offsets[cut - 1], searched, std::min(along, searched));
+    const Point found = { offsets[cut - 1] + along, profile.DepthBetween(cut - 1, along) };
+    const double exact = Cotangent(c, found.Offset, found.Depth);
+    if (exact < best)
     {
-      along = FlattestBetween(profile, c, cut - 1, offsets[cut - 1], length, along);
-      const Point found = { offsets[cut - 1] + along, profile.DepthBetween(cut - 1, along) };
-      const double exact = Cotangent(c, found.Offset, found.Depth);
-      if (exact < best)
-      {
-        best = exact;
-        point = found;
-      }
+      best = exact;
+      point = found;
     }
   }
   return best;

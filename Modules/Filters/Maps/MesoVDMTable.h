@@ -17,6 +17,9 @@
 
 class vtkImageData;
 
+/// Grows when what is baked from the same map and layout changes.
+constexpr double MesoVDMVersion = 4.;
+
 /// What is stored of the point where a ray meets the relief; counts as VDMStores... of the kernel.
 enum class MesoVDMStores
 {
@@ -88,5 +91,9 @@ struct MESOFILTERSMAPS_EXPORT MesoVDMLayout
  * ray meets nothing the first holds the point at that largest angle.
  */
 using MesoVDMNumbers = std::vector<float>;
+
+/// Why an image (vtkMesoVDM) does not hold what its layout says, or holds numbers that no table has; empty
+/// where it does.
+MESOFILTERSMAPS_EXPORT std::string MesoVDMProblem(vtkImageData* table, const MesoVDMLayout& layout);
 
 #endif

@@ -4,6 +4,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMesoVolumeTile.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
@@ -76,9 +77,11 @@ std::string MesoVolumeProblem(vtkImageData* volume)
     return std::string("a volume has a field data array ") + DepthName + " of one number above 0";
   }
   vtkDataArray* colors = volume->GetPointData()->GetArray(ColorName);
-  if (colors && colors->GetNumberOfComponents() != 3)
+  if (colors &&
+    (colors->GetDataType() != VTK_FLOAT || colors->GetNumberOfComponents() != 3 ||
+      colors->GetNumberOfTuples() != volume->GetNumberOfPoints()))
   {
-    return std::string("the point array ") + ColorName + " must have three components";
+    return std::string("the point array ") + ColorName + " must be of three floats a sample";
   }
   const float* values = distances->GetPointer(0);
   if (!std::all_of(values, values + distances->GetNumberOfTuples(),
@@ -86,6 +89,58 @@ std::string MesoVolumeProblem(vtkImageData* volume)
   {
     return "the volume holds distances that are not finite";
   }
+  return {};
+}
+
+vtkFloatArray* MesoVolumeColors(vtkImageData* volume)
+{
+  return vtkFloatArray::SafeDownCast(volume->GetPointData()->GetArray(ColorName));
+}
+
+std::string MesoSetVolumeColors(vtkImageData* volume, vtkImageData* colors)
+{
+  constexpr int channels = 3;
+  vtkDataArray* given = colors->GetPointData()->GetScalars();
+  if (!given || given->GetNumberOfComponents() < channels)
+  {
+    return "colors need three numbers a sample";
+  }
+  const int type = given->GetDataType();
+  const float unit = type == VTK_UNSIGNED_CHAR ? 1.f / 255.f
+    : type == VTK_UNSIGNED_SHORT               ? 1.f / 65535.f
+                                               : 1.f;
+  vtkNew<vtkFloatArray> result;
+  result->SetName(ColorName);
+  result->SetNumberOfComponents(channels);
+  result->SetNumberOfTuples(volume->GetNumberOfPoints());
+  for (int channel = 0; channel < channels; ++channel)
+  {
+    vtkNew<vtkFloatArray> numbers;
+    numbers->SetNumberOfTuples(given->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < given->GetNumberOfTuples(); ++i)
+    {
+      const double number = given->GetComponent(i, channel);
+      if (!std::isfinite(number))
+      {
+        return "it holds colors that are not finite";
+      }
+      numbers->SetValue(i, static_cast<float>(number));
+    }
+    vtkNew<vtkImageData> image;
+    image->CopyStructure(colors);
+    image->GetPointData()->SetScalars(numbers);
+    vtkNew<vtkMesoVolumeTile> tile;
+    tile->SetInputData(image);
+    tile->SetSize(volume->GetDimensions());
+    tile->Update();
+    vtkDataArray* sampled = tile->GetOutput()->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < volume->GetNumberOfPoints(); ++i)
+    {
+      result->SetComponent(
+        i, channel, std::clamp(unit * static_cast<float>(sampled->GetTuple1(i)), 0.f, 1.f));
+    }
+  }
+  volume->GetPointData()->AddArray(result);
   return {};
 }
 

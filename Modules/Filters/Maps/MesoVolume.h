@@ -8,7 +8,7 @@
  * A canonical volume is a vtkImageData of W x H x D samples, one tile, with
  * - the point scalars `MesoSignedDistance` (1, float): distance to the solid's surface, negative inside;
  * - the field data array `MesoVolumeDepth` (1, double): F, the thickness of the shell in tile widths;
- * - and, if it has colours, the point array `MesoColor` (3).
+ * - and, if it has colours, the point array `MesoColor` (3, float): red, green and blue, [0, 1].
  *
  * Sample (i, j, k) lies at ((i + 0.5) / W, (j + 0.5) / H, (k + 0.5) / D) of texture space, where a tile is
  * 1 x 1 in x, y and z runs from 0 at the shell's bottom to 1 at its top. Distances and directions are
@@ -25,10 +25,22 @@
 #include <string>
 #include <vector>
 
+class vtkFloatArray;
 class vtkImageData;
 
 /// What keeps an image from being a canonical volume, or an empty text.
 MESOFILTERSMAPS_EXPORT std::string MesoVolumeProblem(vtkImageData* volume);
+
+/// The colours of a canonical volume, x fastest, or null where it has none.
+MESOFILTERSMAPS_EXPORT vtkFloatArray* MesoVolumeColors(vtkImageData* volume);
+
+/**
+ * Gives a canonical volume the colours of an image of three dimensions that covers its tile: the first three
+ * components, where whole numbers of 8 and 16 bits stand for [0, 1] and others are taken as they are and
+ * clamped to it. Of another size than the volume it is resampled (vtkMesoVolumeTile). Returns why that
+ * cannot be, or an empty text.
+ */
+MESOFILTERSMAPS_EXPORT std::string MesoSetVolumeColors(vtkImageData* volume, vtkImageData* colors);
 
 /// F of a canonical volume.
 MESOFILTERSMAPS_EXPORT double MesoVolumeDepth(vtkImageData* volume);

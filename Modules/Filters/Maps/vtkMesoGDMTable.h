@@ -38,15 +38,15 @@
 #define vtkMesoGDMTable_h
 
 #include "mesoFiltersMapsModule.h" // for export macro
-#include "vtkImageAlgorithm.h"
+#include "vtkMesoWholeImageAlgorithm.h"
 
 #include <vector> // for errors
 
-class MESOFILTERSMAPS_EXPORT vtkMesoGDMTable : public vtkImageAlgorithm
+class MESOFILTERSMAPS_EXPORT vtkMesoGDMTable : public vtkMesoWholeImageAlgorithm
 {
 public:
   static vtkMesoGDMTable* New();
-  vtkTypeMacro(vtkMesoGDMTable, vtkImageAlgorithm);
+  vtkTypeMacro(vtkMesoGDMTable, vtkMesoWholeImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -93,6 +93,17 @@ public:
   vtkBooleanMacro(Exact, bool);
   ///@}
 
+  ///@{
+  /**
+   * Where a ray in one of the eight directions beside its own meets the solid nearer by more than a voxel, keep that
+   * distance: what is interpolated then passes nothing thin, and the volume's distance takes a look-up on from there.
+   * Default off.
+   */
+  vtkSetMacro(Cautious, bool);
+  vtkGetMacro(Cautious, bool);
+  vtkBooleanMacro(Cautious, bool);
+  ///@}
+
   /// Of the last update: RMS over the table, in tile widths, of what 1, 2, ... Rank products leave of it;
   /// that of the whole numbers is not in it. Empty where Rank is 0.
   const std::vector<double>& GetFactorErrors() const { return this->FactorErrors; }
@@ -104,10 +115,7 @@ protected:
   vtkMesoGDMTable() = default;
   ~vtkMesoGDMTable() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -126,6 +134,7 @@ private:
   int Rank = 16;
   int Bits = 16;
   bool Exact = false;
+  bool Cautious = false;
   std::vector<double> FactorErrors;
   double FollowedPart = 0.;
 };

@@ -1,13 +1,11 @@
 #include "vtkMesoHeightMapAlgorithm.h"
 
-#include "MesoWholeImage.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <string>
@@ -42,29 +40,6 @@ void vtkMesoHeightMapAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Wrap: " << MesoName(this->Wrap) << "\n";
-}
-
-int vtkMesoHeightMapAlgorithm::FillInputPortInformation(int, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
-}
-
-int vtkMesoHeightMapAlgorithm::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  int extent[6];
-  MesoGetWholeExtent(inputVector[0]->GetInformationObject(0), extent);
-  outputVector->GetInformationObject(0)->Set(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  return 1;
-}
-
-int vtkMesoHeightMapAlgorithm::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
-  return 1;
 }
 
 int vtkMesoHeightMapAlgorithm::RequestData(

@@ -12,15 +12,15 @@
 
 #include "MesoOptions.h"           // for MesoWrap
 #include "mesoFiltersMapsModule.h" // for export macro
-#include "vtkImageAlgorithm.h"
+#include "vtkMesoWholeImageAlgorithm.h"
 
 #include <functional>
 #include <vector>
 
-class MESOFILTERSMAPS_EXPORT vtkMesoHeightMapAlgorithm : public vtkImageAlgorithm
+class MESOFILTERSMAPS_EXPORT vtkMesoHeightMapAlgorithm : public vtkMesoWholeImageAlgorithm
 {
 public:
-  vtkTypeMacro(vtkMesoHeightMapAlgorithm, vtkImageAlgorithm);
+  vtkTypeMacro(vtkMesoHeightMapAlgorithm, vtkMesoWholeImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -54,11 +54,6 @@ protected:
   bool ForRows(
     int count, const std::function<void(int, int)>& work, double done = 0., double all = 1.);
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
   int RequestData(
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
 

@@ -12,28 +12,21 @@
  * Output port 0: vtkImageData, width x height x 1, spacing 1, origin 0, with the active point
  * scalars `Height` (1, float): heights in [0,1], row 0 at the bottom (t = 0).
  *
+ * Pattern: one of MesoPatternNames(), default brick; its keys are MesoPatternParameters().
+ *
  * An unknown pattern, key or value (MesoPatternProblem()) or a size outside 1 to
  * MesoPatternMaximumSize gives one vtkErrorMacro line and an empty output.
  */
 
 #include "mesoFiltersMapsModule.h" // for export macro
-#include "vtkImageAlgorithm.h"
+#include "vtkMesoBuiltInSource.h"
 
-#include <map>    // for parameters
-#include <string> // for names
-
-class MESOFILTERSMAPS_EXPORT vtkMesoPatternSource : public vtkImageAlgorithm
+class MESOFILTERSMAPS_EXPORT vtkMesoPatternSource : public vtkMesoBuiltInSource
 {
 public:
   static vtkMesoPatternSource* New();
-  vtkTypeMacro(vtkMesoPatternSource, vtkImageAlgorithm);
+  vtkTypeMacro(vtkMesoPatternSource, vtkMesoBuiltInSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// One of MesoPatternNames(). Default: brick.
-  void SetPattern(const char* pattern);
-  const char* GetPattern() const { return this->Pattern.c_str(); }
-  ///@}
 
   ///@{
   /// Texels along s and t. Default: 256, 256.
@@ -41,26 +34,12 @@ public:
   vtkGetVector2Macro(Size, int);
   ///@}
 
-  ///@{
-  /// Chooses among patterns of the same look; `step` and `checkerboard` do not depend on it. Default: 1.
-  vtkSetMacro(Seed, unsigned int);
-  vtkGetMacro(Seed, unsigned int);
-  ///@}
-
-  /// Sets one of the pattern's keys (MesoPatternParameters()); keys not set have their defaults.
-  void SetParameter(const std::string& key, double value);
-  /// Sets all keys back to their defaults.
-  void ClearParameters();
-
-  /// Why the last update gave nothing; empty where it gave a map.
-  const std::string& GetErrorMessage() const { return this->ErrorMessage; }
-
 protected:
   vtkMesoPatternSource();
   ~vtkMesoPatternSource() override = default;
 
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  std::string Problem() const override;
+  std::array<int, 3> SamplesAlong() const override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -68,11 +47,7 @@ private:
   vtkMesoPatternSource(const vtkMesoPatternSource&) = delete;
   void operator=(const vtkMesoPatternSource&) = delete;
 
-  std::string Pattern = "brick";
   int Size[2] = { 256, 256 };
-  unsigned int Seed = 1;
-  std::map<std::string, double> Parameters;
-  std::string ErrorMessage;
 };
 
 #endif

@@ -2,14 +2,12 @@
 
 #include "MesoDistanceTransform.h"
 #include "MesoVolumePattern.h" // for MesoVolumeMaximumSize
-#include "MesoWholeImage.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,28 +44,11 @@ void vtkMesoSignedDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Depth: " << this->Depth << "\n";
 }
 
-int vtkMesoSignedDistance::FillInputPortInformation(int, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
-}
-
 int vtkMesoSignedDistance::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  int extent[6];
-  MesoGetWholeExtent(inputVector[0]->GetInformationObject(0), extent);
-  vtkInformation* information = outputVector->GetInformationObject(0);
-  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  vtkDataObject::SetPointDataActiveScalarInfo(information, VTK_FLOAT, 1);
-  return 1;
-}
-
-int vtkMesoSignedDistance::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
-  return 1;
+  vtkDataObject::SetPointDataActiveScalarInfo(outputVector->GetInformationObject(0), VTK_FLOAT, 1);
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
 int vtkMesoSignedDistance::RequestData(

@@ -17,13 +17,13 @@
 #define vtkMesoSignedDistance_h
 
 #include "mesoFiltersMapsModule.h" // for export macro
-#include "vtkImageAlgorithm.h"
+#include "vtkMesoWholeImageAlgorithm.h"
 
-class MESOFILTERSMAPS_EXPORT vtkMesoSignedDistance : public vtkImageAlgorithm
+class MESOFILTERSMAPS_EXPORT vtkMesoSignedDistance : public vtkMesoWholeImageAlgorithm
 {
 public:
   static vtkMesoSignedDistance* New();
-  vtkTypeMacro(vtkMesoSignedDistance, vtkImageAlgorithm);
+  vtkTypeMacro(vtkMesoSignedDistance, vtkMesoWholeImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -50,10 +50,7 @@ protected:
   vtkMesoSignedDistance() = default;
   ~vtkMesoSignedDistance() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

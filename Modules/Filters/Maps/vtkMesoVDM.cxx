@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimerLog.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,30 +110,45 @@ int vtkMesoVDM::RequestInformation(
 
 MesoVDMNumbers vtkMesoVDM::Bake(const std::vector<float>& depths)
 {
+  const double start = vtkTimerLog::GetUniversalTime();
   const MesoVDMLayout& layout = this->Layout;
   const double part = this->Ranks[0] > 0 ? BakingPart : 1.;
-  const std::size_t columns = layout.Columns();
-  MesoVDMNumbers numbers(layout.Rows() * columns);
+  const std::size_t count = layout.Rows() / layout.Azimuths * layout.Columns();
+  MesoVDMNumbers numbers(layout.Rows() * layout.Columns());
   for (int azimuth = 0; azimuth < layout.Azimuths && !this->GetAbortExecute(); ++azimuth)
   {
-    const MesoVDMRays rays(layout, this->Curved, 2. * vtkMath::Pi() * azimuth / layout.Azimuths);
-    vtkSMPTools::For(0, layout.Height, 4,
-      [&](vtkIdType first, vtkIdType end)
+    float* here = &numbers[azimuth * count];
+    if (!this->KeptParts.Take || !this->KeptParts.Take(azimuth, here, count))
+    {
+      this->BakeAzimuth(depths, azimuth, here);
+      if (this->KeptParts.Keep)
       {
-        MesoHeightLine::Profile profile(rays.GetLine(), depths.data());
-        for (auto row = static_cast<int>(first); row < end; ++row)
-        {
-          for (int column = 0; column < layout.Width; ++column)
-          {
-            const std::size_t index =
-              (std::size_t(azimuth) * layout.Height + row) * layout.Width + column;
-            rays.Trace(profile, column, row, &numbers[index * columns]);
-          }
-        }
-      });
+        this->KeptParts.Keep(azimuth, here, count);
+      }
+    }
     this->UpdateProgress(part * (azimuth + 1) / layout.Azimuths);
   }
+  this->RaySeconds = vtkTimerLog::GetUniversalTime() - start;
   return numbers;
+}
+
+void vtkMesoVDM::BakeAzimuth(const std::vector<float>& depths, int azimuth, float* numbers) const
+{
+  const MesoVDMLayout& layout = this->Layout;
+  const MesoVDMRays rays(layout, this->Curved, 2. * vtkMath::Pi() * azimuth / layout.Azimuths);
+  vtkSMPTools::For(0, layout.Height, 4,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      MesoHeightLine::Profile profile(rays.GetLine(), depths.data());
+      for (auto row = static_cast<int>(first); row < end; ++row)
+      {
+        for (int column = 0; column < layout.Width; ++column)
+        {
+          const std::size_t index = std::size_t(row) * layout.Width + column;
+          rays.Trace(profile, column, row, &numbers[index * layout.Columns()]);
+        }
+      }
+    });
 }
 
 void vtkMesoVDM::Compute(const Map& map, vtkImageData* output)
@@ -152,6 +168,7 @@ void vtkMesoVDM::Compute(const Map& map, vtkImageData* output)
     return;
   }
   const std::vector<float> depths = DepthsOf(map.Heights, map.Width, map.Height, this->Layout);
+  this->FactorSeconds = 0.;
   MesoVDMNumbers numbers = this->Bake(depths);
   if (this->GetAbortExecute())
   {
@@ -177,12 +194,19 @@ void vtkMesoVDM::Compute(const Map& map, vtkImageData* output)
     MesoStoreVDM(this->Layout, numbers, output);
     return;
   }
+  this->StoreFactors(numbers, output);
+}
+
+void vtkMesoVDM::StoreFactors(MesoVDMNumbers& numbers, vtkImageData* output)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
   MesoStoreVDMFactors(
     this->Layout, numbers, { this->Ranks[0], std::max(this->Ranks[1], 1) }, this->Bits,
-    [this](double done)
+    [this](double part)
     {
-      this->UpdateProgress(BakingPart + (1. - BakingPart) * done);
+      this->UpdateProgress(BakingPart + (1. - BakingPart) * part);
       return this->GetAbortExecute() == 0;
     },
     output);
+  this->FactorSeconds = vtkTimerLog::GetUniversalTime() - start;
 }

@@ -18,10 +18,12 @@
  *   `VDMFunctions` (float, a tuple of Ranks[0] for each polar angle and curvature, curvature slowest),
  *   `MVMFunctions` (a tuple of Ranks[1] for each curvature): a stored number is the sum of products, of the
  *   largest angles what they leave to 90 degrees, over 90 degrees; and
- *   `Errors`: the root mean square that the first 1, 2, ... products leave, of stored numbers in [0,1].
+ *   `Errors`: the root mean square that the first 1, 2, ... products leave, of stored numbers in [0,1];
+ *   `FactorErrors`: what all of them, coded, leave of the distances' numbers, root mean square and maximum,
+ *   and of the largest angles over convex bases, of 90 degrees, root mean square.
  *
- * Takes 4 bytes of memory a number of the table while it works, and as much again for the table itself at 2
- * bytes a number.
+ * Takes 4 bytes of memory a number of the table while it works, and 5 for each weight, or for the table
+ * itself 2 a number. The same on any number of threads.
  *
  * Source: Wang et al., "View-Dependent Displacement Mapping", SIGGRAPH 2003, sections 3.1, 3.3, appendix.
  *
@@ -34,6 +36,9 @@
 #include "MesoVDMTable.h"          // for MesoVDMLayout
 #include "mesoFiltersMapsModule.h" // for export macro
 #include "vtkMesoHeightMapAlgorithm.h"
+
+#include <cstddef>
+#include <functional>
 
 class MESOFILTERSMAPS_EXPORT vtkMesoVDM : public vtkMesoHeightMapAlgorithm
 {
@@ -67,6 +72,25 @@ public:
   vtkGetMacro(Bits, int);
   ///@}
 
+  /**
+   * What is kept of an update as it goes on, so that one that is stopped need not be begun anew: the numbers
+   * of an azimuth, as MesoVDMNumbers. None of it changes what comes out.
+   */
+  struct Parts
+  {
+    /// Fills in an azimuth's numbers; false where it has none.
+    std::function<bool(int azimuth, float* numbers, std::size_t count)> Take;
+    /// Is given an azimuth's numbers, once they are found.
+    std::function<void(int azimuth, const float* numbers, std::size_t count)> Keep;
+  };
+  void SetParts(const Parts& parts) { this->KeptParts = parts; }
+
+  ///@{
+  /// Seconds that the last update took for rays and for factors.
+  vtkGetMacro(RaySeconds, double);
+  vtkGetMacro(FactorSeconds, double);
+  ///@}
+
 protected:
   vtkMesoVDM() = default;
   ~vtkMesoVDM() override = default;
@@ -81,11 +105,16 @@ private:
 
   /// All numbers of the table, of depths in tiles at its texels.
   MesoVDMNumbers Bake(const std::vector<float>& depths);
+  void BakeAzimuth(const std::vector<float>& depths, int azimuth, float* numbers) const;
+  void StoreFactors(MesoVDMNumbers& numbers, vtkImageData* output);
 
   MesoVDMLayout Layout;
   MesoVDMCurved Curved = MesoVDMCurved::Exact;
   int Ranks[2] = { 8, 4 };
   int Bits = 8;
+  Parts KeptParts;
+  double RaySeconds = 0.;
+  double FactorSeconds = 0.;
 };
 
 #endif

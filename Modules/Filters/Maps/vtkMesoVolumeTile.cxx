@@ -133,24 +133,29 @@ void vtkMesoVolumeTile::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << " " << this->Size[2] << "\n";
 }
 
-int vtkMesoVolumeTile::FillInputPortInformation(int, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
-}
-
 int vtkMesoVolumeTile::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject::SetPointDataActiveScalarInfo(outputVector->GetInformationObject(0), VTK_FLOAT, 1);
+  int extent[6];
+  MesoGetWholeExtent(inputVector[0]->GetInformationObject(0), extent);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int end = this->Crop[2 * axis + 1];
+    const int whole = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    const int count = end > 0 ? end - this->Crop[2 * axis] : whole;
+    const int kept = count - (axis < 2 ? this->FadedOf(count) : 0);
+    extent[2 * axis] = 0;
+    extent[2 * axis + 1] = (this->Size[axis] > 0 ? this->Size[axis] : kept) - 1;
+  }
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  vtkDataObject::SetPointDataActiveScalarInfo(information, VTK_FLOAT, 1);
   return 1;
 }
 
-int vtkMesoVolumeTile::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkMesoVolumeTile::FadedOf(int count) const
 {
-  MesoAskForWholeImage(inputVector[0]->GetInformationObject(0));
-  return 1;
+  return std::min(static_cast<int>(std::lround(this->Blend * count)), count / 2);
 }
 
 int vtkMesoVolumeTile::RequestData(
@@ -196,12 +201,8 @@ int vtkMesoVolumeTile::RequestData(
   double extent[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (axis < 2 && this->Blend > 0.)
-    {
-      const int faded =
-        std::min(static_cast<int>(std::lround(this->Blend * grid.Size[axis])), grid.Size[axis] / 2);
-      grid = faded > 0 ? AlongAxis(grid, axis, Faded(grid.Size[axis], faded)) : grid;
-    }
+    const int faded = axis < 2 ? this->FadedOf(grid.Size[axis]) : 0;
+    grid = faded > 0 ? AlongAxis(grid, axis, Faded(grid.Size[axis], faded)) : grid;
     extent[axis] = input->GetSpacing()[axis] * grid.Size[axis];
     if (this->Size[axis] > 0 && this->Size[axis] != grid.Size[axis])
     {

@@ -19,13 +19,13 @@
 #define vtkMesoVolumeTile_h
 
 #include "mesoFiltersMapsModule.h" // for export macro
-#include "vtkImageAlgorithm.h"
+#include "vtkMesoWholeImageAlgorithm.h"
 
-class MESOFILTERSMAPS_EXPORT vtkMesoVolumeTile : public vtkImageAlgorithm
+class MESOFILTERSMAPS_EXPORT vtkMesoVolumeTile : public vtkMesoWholeImageAlgorithm
 {
 public:
   static vtkMesoVolumeTile* New();
-  vtkTypeMacro(vtkMesoVolumeTile, vtkImageAlgorithm);
+  vtkTypeMacro(vtkMesoVolumeTile, vtkMesoWholeImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -50,10 +50,7 @@ protected:
   vtkMesoVolumeTile() = default;
   ~vtkMesoVolumeTile() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -61,6 +58,9 @@ protected:
 private:
   vtkMesoVolumeTile(const vtkMesoVolumeTile&) = delete;
   void operator=(const vtkMesoVolumeTile&) = delete;
+
+  /// How many of so many samples along x or y are faded away.
+  int FadedOf(int count) const;
 
   int Crop[6] = { 0, 0, 0, 0, 0, 0 };
   double Blend = 0.;

@@ -70,12 +70,14 @@ public:
     MesoTriangleMesh welded = input.Mesh;
     welded.Vertex = this->Sites;
     std::vector<bool> used;
+    std::int64_t prisms = 0;
     for (const auto& triangle : welded.Triangles)
     {
       const auto& p = welded.Positions;
       const MesoVector area = MesoCross(MesoDifference(p[triangle[1]], p[triangle[0]]),
         MesoDifference(p[triangle[2]], p[triangle[0]]));
       used.push_back(MesoLength(area) > 0.);
+      this->Numbers.push_back(used.back() ? prisms++ : -1);
       MesoVector normal = { 0., 0., 0. };
       for (std::int64_t point : triangle)
       {
@@ -158,6 +160,7 @@ private:
       prism.Ends += 1 << k;
       return;
     }
+    prism.Beyond[k] = this->LiesBeyond(prism, k, partner) ? this->Numbers[partner / 3] : -1;
     std::int64_t first = this->Input.Mesh.PointOf(partner);
     std::int64_t second = this->Input.Mesh.PointOf(MesoTriangleMesh::Next(partner));
     if (this->Sites[first] != this->Sites[from])
@@ -169,6 +172,21 @@ private:
       ++shell.SeamFins;
       prism.Ends += 1 << k;
     }
+  }
+
+  /// Whether the prism at a fin's other side is on the other side: triangles that are there twice are not.
+  bool LiesBeyond(const MesoPrism& prism, int k, std::int64_t partner) const
+  {
+    const int next = (k + 1) % 3;
+    const MesoVector across = MesoCross(MesoDifference(prism.Bottom[next], prism.Bottom[k]),
+      MesoSum(prism.Rise[k], prism.Rise[next]));
+    const auto side = [&](std::int64_t point)
+    {
+      const auto& place = this->Input.Mesh.Positions;
+      return MesoDot(across, MesoDifference(place[point], place[prism.Points[k]]));
+    };
+    const std::int64_t last = MesoTriangleMesh::Next(MesoTriangleMesh::Next(partner));
+    return side(prism.Points[(k + 2) % 3]) * side(this->Input.Mesh.PointOf(last)) < 0.;
   }
 
   /// Lowers the corners of the prisms that turn over; false where there are none.
@@ -195,10 +213,11 @@ private:
 
   const MesoPrismShellInput& Input;
   std::vector<std::int64_t> Sites;
-  std::vector<double> Rises; ///< of sites: part of the thickness
-  std::vector<bool> Used;    ///< triangles that have area
-  std::vector<bool> Winding; ///< triangles whose corners run clockwise around their normals
-  std::int64_t Turned = 0;   ///< triangles that do, less those that do not
+  std::vector<double> Rises;         ///< of sites: part of the thickness
+  std::vector<bool> Used;            ///< triangles that have area
+  std::vector<std::int64_t> Numbers; ///< of the triangles' prisms
+  std::vector<bool> Winding;         ///< triangles whose corners run clockwise around their normals
+  std::int64_t Turned = 0;           ///< triangles that do, less those that do not
   std::vector<std::int64_t> Partners;
 };
 

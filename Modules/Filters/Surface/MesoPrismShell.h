@@ -31,6 +31,8 @@ struct MesoPrism
   /// Bit k: what fills the prism ends at fin k: no prism is beyond it, or one whose texture
   /// coordinates do not go on.
   int Ends = 0;
+  /// Of each fin the prism on its other side, -1: none.
+  std::array<std::int64_t, 3> Beyond = { -1, -1, -1 };
   bool Turned = false; ///< its corners run the other way round than in most prisms
 
   int Flags() const { return this->Falling + 8 * this->Ends; }

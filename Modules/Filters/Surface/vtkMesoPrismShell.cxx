@@ -107,7 +107,7 @@ void WriteSlices(const std::vector<MesoPrism>& prisms, int slices, vtkPolyData* 
   output->SetPolys(faces);
 }
 
-void WriteFaces(const std::vector<MesoPrism>& prisms, vtkPolyData* output)
+void WriteFaces(const std::vector<MesoPrism>& prisms, bool innerFins, vtkPolyData* output)
 {
   vtkNew<vtkCellArray> faces;
   for (std::size_t i = 0; i < prisms.size(); ++i)
@@ -120,6 +120,10 @@ void WriteFaces(const std::vector<MesoPrism>& prisms, vtkPolyData* output)
     for (int k = 0; k < 3; ++k)
     {
       const int next = (k + 1) % 3;
+      if (!innerFins && prisms[i].Beyond[k] >= 0)
+      {
+        continue;
+      }
       if ((prisms[i].Falling >> k) & 1)
       {
         add(k, next, k + 3);
@@ -158,7 +162,9 @@ void WriteTable(
       const MesoVector& rise = prism.Rise[k];
       table->SetTuple4(next++, rise[0], rise[1], rise[2], input.Coordinates[prism.Points[k]][1]);
     }
-    table->SetTuple4(next++, prism.Flags(), 0., 0., 0.);
+    const auto& beyond = prism.Beyond;
+    table->SetTuple4(next++, prism.Flags(), static_cast<double>(beyond[0]),
+      static_cast<double>(beyond[1]), static_cast<double>(beyond[2]));
     triangles->InsertNextValue(static_cast<vtkIdType>(prism.Triangle));
   }
   vtkNew<vtkDoubleArray> centre;
@@ -241,7 +247,7 @@ void vtkMesoPrismShell::Execute(vtkPolyData* input, vtkPolyData* output)
   }
   else
   {
-    WriteFaces(shell.Prisms, output);
+    WriteFaces(shell.Prisms, this->InnerFins, output);
   }
   WriteTable(shell.Prisms, source, output);
 }
@@ -253,6 +259,7 @@ void vtkMesoPrismShell::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Reference: " << this->Reference << "\n";
   os << indent << "Tiles: " << this->Tiles[0] << " " << this->Tiles[1] << "\n";
   os << indent << "Slices: " << this->Slices << "\n";
+  os << indent << "InnerFins: " << this->InnerFins << "\n";
   os << indent << "ClampThickness: " << this->ClampThickness << "\n";
   os << indent << "InvertedTriangles: " << this->InvertedTriangles.size() << "\n";
   os << indent << "NumberOfDegenerateTriangles: " << this->NumberOfDegenerateTriangles << "\n";

@@ -18,8 +18,8 @@
  *
  * Output port 0: the shell's faces, wound so that their fronts are outside, and with them what a shader
  * needs of each prism. No triangle or point is shared between prisms. For prism i points 6 i to 6 i + 5
- * are its bottom corners and then its top corners, and polygons 8 i to 8 i + 7 are bottom, top, and two
- * for each fin. Point arrays, of the type of the input's points:
+ * are its bottom corners and then its top corners, and its polygons are bottom, top, and two for each fin
+ * that closes the shell (with InnerFins each fin, so that it has 8). Point arrays, of the type of the input's points:
  *
  *     Normals (3)             n_i, unit
  *     TextureCoordinates (2)  the mesh's own, the same below and above
@@ -29,9 +29,10 @@
  * Field data:
  *
  *     MesoPrismTable (4, 7 tuples a prism, float)  bottom corner k less MesoPrismCentre, and u of its
- *                             texture coordinate; k = 0, 1, 2; H n_k and v; and (flags, 0, 0, 0). Flags:
- *                             bit k: the diagonal of fin k runs from the bottom of corner k + 1; bit
- *                             3 + k: what fills the prism ends at fin k
+ *                             texture coordinate; k = 0, 1, 2; H n_k and v; and flags with the numbers
+ *                             of the prisms beyond fins 0, 1 and 2, -1 for none. Flags: bit k: the
+ *                             diagonal of fin k runs from the bottom of corner k + 1; bit 3 + k: what
+ *                             fills the prism ends at fin k
  *     MesoPrismCentre (3, double)  the middle of the mesh's box, object space
  *     MesoPrismTriangle (1, a prism each)  the number of its triangle in the triangulated input
  *
@@ -90,6 +91,14 @@ public:
   ///@}
 
   ///@{
+  /// Whether fins between two prisms are among the polygons. Without them these are the outside of the shell,
+  /// from where rays are followed from prism to prism by the table. Default: off.
+  vtkSetMacro(InnerFins, bool);
+  vtkGetMacro(InnerFins, bool);
+  vtkBooleanMacro(InnerFins, bool);
+  ///@}
+
+  ///@{
   /// Make the shell thinner around prisms that turn over, until none does. Default: off.
   vtkSetMacro(ClampThickness, bool);
   vtkGetMacro(ClampThickness, bool);
@@ -126,6 +135,7 @@ private:
   double Thickness = 1.;
   double Reference = 0.;
   double Tiles[2] = { 1., 1. };
+  bool InnerFins = false;
   bool ClampThickness = false;
   int Slices = 0;
   std::string ErrorMessage;

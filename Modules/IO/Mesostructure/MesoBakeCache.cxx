@@ -9,29 +9,6 @@
 
 namespace
 {
-std::string NameOfTable(
-  const std::string& kind, const std::map<std::string, MesoBakedParameter>& parameters)
-{
-  MesoChecksum sum;
-  sum.Add(MesoBakedFormat);
-  for (const auto& [name, parameter] : parameters)
-  {
-    sum.Add(name);
-    sum.Add(static_cast<std::int64_t>(parameter.index()));
-    if (const auto* text = std::get_if<std::string>(&parameter))
-    {
-      sum.Add(*text);
-    }
-    else
-    {
-      const auto& numbers = std::get<std::vector<double>>(parameter);
-      sum.Add(static_cast<std::int64_t>(numbers.size()));
-      sum.Add(numbers.data(), numbers.size() * sizeof(double));
-    }
-  }
-  return kind + "-" + sum.Text() + ".vti";
-}
-
 /// The kept table, or one without a Table where there is none that is whole and what is wanted.
 MesoBaked ReadKept(const std::string& file, const std::string& kind,
   const std::map<std::string, MesoBakedParameter>& parameters)
@@ -84,6 +61,29 @@ std::string MesoContentOf(vtkImageData* image)
   return sum.Text();
 }
 
+std::string MesoBakeName(
+  const std::string& kind, const std::map<std::string, MesoBakedParameter>& parameters)
+{
+  MesoChecksum sum;
+  sum.Add(MesoBakedFormat);
+  for (const auto& [name, parameter] : parameters)
+  {
+    sum.Add(name);
+    sum.Add(static_cast<std::int64_t>(parameter.index()));
+    if (const auto* text = std::get_if<std::string>(&parameter))
+    {
+      sum.Add(*text);
+    }
+    else
+    {
+      const auto& numbers = std::get<std::vector<double>>(parameter);
+      sum.Add(static_cast<std::int64_t>(numbers.size()));
+      sum.Add(numbers.data(), numbers.size() * sizeof(double));
+    }
+  }
+  return kind + "-" + sum.Text();
+}
+
 std::string MesoBakeCacheFolder()
 {
   if (const char* folder = std::getenv("MESO_CACHE"))
@@ -104,7 +104,7 @@ MesoBaked MesoBakeOnce(const std::string& kind,
   const std::function<vtkSmartPointer<vtkImageData>()>& bake, std::vector<std::string>& warnings)
 {
   const std::string folder = MesoBakeCacheFolder();
-  const std::string file = folder + "/" + NameOfTable(kind, parameters);
+  const std::string file = folder + "/" + MesoBakeName(kind, parameters) + ".vti";
   if (!folder.empty())
   {
     MesoBaked kept = ReadKept(file, kind, parameters);

@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"           // for the table
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ MESOIOMESOSTRUCTURE_EXPORT std::string MesoContentOf(vtkImageData* image);
 
 /// The folder that tables are kept in; empty where keeping is off or no folder is known.
 MESOIOMESOSTRUCTURE_EXPORT std::string MesoBakeCacheFolder();
+
+/// A name, for a file, of what is of this kind and made with these parameters, and of nothing else.
+MESOIOMESOSTRUCTURE_EXPORT std::string MesoBakeName(
+  const std::string& kind, const std::map<std::string, MesoBakedParameter>& parameters);
 
 /**
  * The table of this kind and these parameters: read where it was kept, else baked and kept.

@@ -2,6 +2,7 @@
 
 #include "MesoBinaryNumbers.h"
 #include "MesoGltfBuffers.h"
+#include "MesoGltfTransform.h"
 #include "MesoMessage.h"
 
 #include <algorithm>
@@ -9,97 +10,10 @@
 
 namespace
 {
-using Matrix = std::array<double, 16>; // row-major
-constexpr Matrix Identity = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+using Matrix = MesoGltfMatrix;
 constexpr MesoSceneRange Whole = { 0., 2147483647., true };
 /// Of all nodes' primitives together; what a node shows again counts again.
 constexpr std::size_t MostCorners = 100000000;
-
-Matrix Product(const Matrix& a, const Matrix& b)
-{
-  Matrix c{};
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        c[4 * row + column] += a[4 * row + k] * b[4 * k + column];
-      }
-    }
-  }
-  return c;
-}
-
-/// Cofactors of the matrix' upper left 3 x 3: the inverse transposed times the determinant.
-std::array<double, 9> Cofactors(const Matrix& m)
-{
-  std::array<double, 9> c{};
-  for (int i = 0; i < 3; ++i)
-  {
-    const int i1 = (i + 1) % 3;
-    const int i2 = (i + 2) % 3;
-    for (int j = 0; j < 3; ++j)
-    {
-      const int j1 = (j + 1) % 3;
-      const int j2 = (j + 2) % 3;
-      c[3 * i + j] = m[4 * i1 + j1] * m[4 * i2 + j2] - m[4 * i1 + j2] * m[4 * i2 + j1];
-    }
-  }
-  return c;
-}
-
-Matrix MatrixOfNode(const MesoSceneValue& node)
-{
-  Matrix matrix = Identity;
-  if (node.Has("matrix"))
-  {
-    const auto columns = node.At("matrix").ToNumbers<16>();
-    for (int i = 0; i < 16; ++i)
-    {
-      matrix[i] = columns[4 * (i % 4) + i / 4];
-    }
-    return matrix;
-  }
-  std::array<double, 3> scale = { 1., 1., 1. };
-  std::array<double, 4> q = { 0., 0., 0., 1. };
-  node.With("scale", [&](const MesoSceneValue& value) { scale = value.ToNumbers<3>(); });
-  node.With("rotation",
-    [&](const MesoSceneValue& value)
-    {
-      q = value.ToNumbers<4>();
-      const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-      if (!(length > 0.))
-      {
-        value.Fail("the quaternion is 0");
-      }
-      for (double& component : q)
-      {
-        component /= length;
-      }
-    });
-  const auto [x, y, z, w] = q;
-  const double rotation[9] = { 1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),
-    2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 2 * (x * z - y * w),
-    2 * (y * z + x * w), 1 - 2 * (x * x + y * y) };
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix[4 * row + column] = rotation[3 * row + column] * scale[column];
-    }
-  }
-  node.With("translation",
-    [&](const MesoSceneValue& value)
-    {
-      const auto translation = value.ToNumbers<3>();
-      for (int row = 0; row < 3; ++row)
-      {
-        matrix[4 * row + 3] = translation[row];
-      }
-    });
-  return matrix;
-}
 
 class Scanner
 {
@@ -184,7 +98,8 @@ private:
       const MesoSceneValue scene = this->Root.Has("scene")
         ? MesoGltfElement(this->Root, "scenes", this->Root.At("scene"))
         : scenes.front();
-      scene.With("nodes", [&](const MesoSceneValue& nodes) { this->PushNodes(nodes, Identity); });
+      scene.With(
+        "nodes", [&](const MesoSceneValue& nodes) { this->PushNodes(nodes, MesoGltfIdentity); });
       if (scenes.size() > 1)
       {
         this->File.Notes.push_back(
@@ -212,7 +127,7 @@ private:
     {
       if (!isChild[i])
       {
-        this->Stack.emplace_back(i, Identity);
+        this->Stack.emplace_back(i, MesoGltfIdentity);
       }
     }
   }
@@ -225,7 +140,7 @@ private:
       node.Fail("is reached twice: nodes must make trees");
     }
     this->Visited[number] = true;
-    const Matrix matrix = Product(parent, MatrixOfNode(node));
+    const Matrix matrix = MesoGltfProduct(parent, MesoGltfMatrixOfNode(node));
     if (std::any_of(matrix.begin(), matrix.end(),
           [](double value) { return !(std::abs(value) <= MesoMeshLargestNumber); }))
     {
@@ -272,7 +187,7 @@ private:
       }
     }
     const auto indices = this->Indices(primitive, count);
-    const bool isMirrored = this->Determinant(matrix) < 0.;
+    const bool isMirrored = MesoGltfDeterminant(matrix) < 0.;
     // Number k of the mode's triangles, as places in the list of indices.
     const std::size_t triangles = mode == 4 ? indices.size() / 3
       : indices.size() < 3                  ? 0
@@ -311,12 +226,6 @@ private:
     }
   }
 
-  static double Determinant(const Matrix& m)
-  {
-    const auto c = Cofactors(m);
-    return m[0] * c[0] + m[1] * c[1] + m[2] * c[2];
-  }
-
   std::size_t AddPositions(const MesoSceneValue& attributes, const Matrix& m)
   {
     const std::vector<double> numbers = this->Buffers.Read(attributes.At("POSITION"), 3);
@@ -348,8 +257,8 @@ private:
       return false;
     }
     const std::vector<double> numbers = this->Numbers(attributes, "NORMAL", 3, count);
-    const auto c = Cofactors(matrix);
-    const double sign = this->Determinant(matrix) < 0. ? -1. : 1.;
+    const auto c = MesoGltfCofactors(matrix);
+    const double sign = MesoGltfDeterminant(matrix) < 0. ? -1. : 1.;
     for (std::size_t i = 0; i < numbers.size(); i += 3)
     {
       std::array<double, 3> normal;

@@ -180,7 +180,8 @@ struct MesoSceneNode
   MesoMesostructureOptions Mesostructure;
   std::optional<MesoSceneMap> Map;
   std::optional<MesoSceneVolume> Volume;
-  std::string Baked; ///< resolved name of a baked table, or empty
+  std::string VolumeColors; ///< resolved name of a volume of the tile's colours, or empty
+  std::string Baked;        ///< resolved name of a baked table, or empty
   std::vector<MesoSceneNode> Children;
 };
 

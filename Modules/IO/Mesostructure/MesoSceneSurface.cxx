@@ -226,24 +226,27 @@ void ReadSampling(const MesoSceneValue& value, MesoMesostructureOptions& options
     });
 }
 
-/// What is said of a volume's shell; the volume itself has been read.
+/// What is said of a volume's shell; the volume itself, or the map that is made one, has been read.
 void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
 {
   MesoMesostructureOptions& options = node.Mesostructure;
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (!MesoUsesVolume(options.Technique))
   {
-    value.Refuse({ "segments" }, technique + " has no prisms that rays run through");
+    value.Refuse({ "segments", "exits" }, technique + " has no prisms that rays run through");
+    value.Refuse({ "volume_colors" }, technique + " draws no volume");
     return;
   }
   const bool tabled = options.Technique == MesoTechnique::GDM;
   if (!node.Baked.empty())
   {
-    value.Refuse({ "volume", "tile_mesh" }, "the baked table has its volume in it");
+    value.Refuse({ "volume", "tile_mesh", "height_map", "depth_map", "relief_map" },
+      "the baked table has its volume in it");
   }
-  else if (!node.Volume)
+  else if (!node.Volume && !node.Map)
   {
-    value.Fail(technique + " needs a volume or a tile_mesh" + (tabled ? ", or a baked table" : ""));
+    value.Fail(technique + " needs a volume, a tile_mesh or a height_map" +
+      (tabled ? ", or a baked table" : ""));
   }
   if (!value.Has("scale"))
   {
@@ -253,7 +256,7 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   {
     value.At("scale").Fail("a shell needs some thickness");
   }
-  if (!value.Has("reference"))
+  if (!value.Has("reference") && !node.Map)
   {
     options.Reference = 0.;
   }
@@ -261,10 +264,15 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   {
     value.At("wrap").Fail("a volume repeats");
   }
+  value.With("volume_colors",
+    [&](const MesoSceneValue& colors) { node.VolumeColors = colors.ToFileName(); });
   if (options.Technique == MesoTechnique::Slices)
   {
-    value.Refuse({ "segments" }, technique + " has no rays that run through prisms");
+    value.Refuse({ "segments", "exits" }, technique + " has no rays that run through prisms");
   }
+  value.With("exits",
+    [&](const MesoSceneValue& kind)
+    { options.Exits = kind.ToChoice<MesoExits>("exits", &MesoExitsFromName, MesoExitsNames()); });
   value.With("segments",
     [&](const MesoSceneValue& number) {
       options.Segments = static_cast<int>(number.ToInteger({ 1., MesoMostSegments, true }));
@@ -526,7 +534,6 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
     { options.Effects = ReadEffects(effects, options.Technique); });
 
   node.Volume = MesoReadSceneVolume(value);
-  ReadShell(value, node);
   if (value.Has("height_map"))
   {
     value.Refuse(
@@ -548,6 +555,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       node.Map->IsDepth = true;
       node.Map->IsReliefMap = true;
     });
+  ReadShell(value, node);
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (!node.Map)
   {

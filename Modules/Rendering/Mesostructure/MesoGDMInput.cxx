@@ -28,6 +28,7 @@ std::map<std::string, MesoBakedParameter> ParametersOf(vtkMesoGDMTable* table)
   add("rank", table->GetRank());
   add("bits", table->GetBits());
   add("exact", table->GetExact());
+  add("cautious", table->GetCautious());
   return parameters;
 }
 }
@@ -59,12 +60,13 @@ vtkSmartPointer<vtkImageData> MesoReadGDM(const std::string& fileName, const std
   }
 }
 
-vtkSmartPointer<vtkImageData> MesoMakeGDM(
-  vtkImageData* volume, int rank, const std::string& place, std::vector<std::string>& warnings)
+vtkSmartPointer<vtkImageData> MesoMakeGDM(vtkImageData* volume, int rank, bool cautious,
+  const std::string& place, std::vector<std::string>& warnings)
 {
   vtkNew<vtkMesoGDMTable> table;
   table->SetInputData(volume);
   table->SetRank(rank);
+  table->SetCautious(cautious);
   if (rank == 0)
   {
     table->SetBits(BitsOfWhole);

@@ -30,9 +30,10 @@ MESORENDERINGMESOSTRUCTURE_EXPORT vtkSmartPointer<vtkImageData> MesoReadGDM(
  * The table of a canonical volume, out of the cache (MesoBakeOnce) where it is there.
  *
  * @param rank products; 0: the whole table, 16 bits a distance
+ * @param cautious vtkMesoGDMTable::SetCautious(), for look-ups that are corrected
  */
-MESORENDERINGMESOSTRUCTURE_EXPORT vtkSmartPointer<vtkImageData> MesoMakeGDM(
-  vtkImageData* volume, int rank, const std::string& place, std::vector<std::string>& warnings);
+MESORENDERINGMESOSTRUCTURE_EXPORT vtkSmartPointer<vtkImageData> MesoMakeGDM(vtkImageData* volume,
+  int rank, bool cautious, const std::string& place, std::vector<std::string>& warnings);
 
 /// The canonical volume that a table was made of.
 MESORENDERINGMESOSTRUCTURE_EXPORT vtkSmartPointer<vtkImageData> MesoVolumeOfGDM(

@@ -1,5 +1,6 @@
 #include "MesoReliefShader.h"
 
+#include "vtkImageData.h"
 #include "vtkShaderProgram.h"
 
 namespace
@@ -72,10 +73,26 @@ bool MesoReliefShader::UsesCones() const
     (effects.Has(MesoEffect::Occlusion) || effects.Has(MesoEffect::SelfShadow));
 }
 
+bool MesoReliefShader::UsesLevels() const
+{
+  return this->UsesCones() && this->Options.Filter == MesoFilter::Auto &&
+    MesoSearchOf(this->Options) == MesoSearch::Certified;
+}
+
+std::string MesoReliefShader::PrepareCones()
+{
+  if (!this->UsesLevels())
+  {
+    const vtkSmartPointer<vtkImageData> map = this->GetHeightMap();
+    return this->Cones.Prepare({ map }, this->Options.Wrap);
+  }
+  this->Levels.Prepare(this->GetHeightMap());
+  return this->Cones.Prepare(this->Levels.GetLevels(), this->Options.Wrap);
+}
+
 std::string MesoReliefShader::Prepare()
 {
-  return this->UsesCones() ? this->Cones.Prepare(this->GetHeightMap(), this->Options.Wrap)
-                           : std::string();
+  return this->UsesCones() ? this->PrepareCones() : std::string();
 }
 
 MesoShaderShape MesoReliefShader::GetShape() const
@@ -96,19 +113,24 @@ MesoShaderShape MesoReliefShader::GetShape() const
   const bool bicubic = this->Options.Interpolation == MesoInterpolation::Bicubic;
   shape.Chunks = { "Common/HeightAccess.glsl", "Common/HeightLevels.glsl", "Kernels/Frame.glsl",
     "Kernels/HeightField.glsl",
-    bicubic ? "Kernels/HeightBicubic.glsl" : "Kernels/HeightBilinear.glsl",
-    "Common/HeightSurface.glsl" };
+    bicubic ? "Kernels/HeightBicubic.glsl" : "Kernels/HeightBilinear.glsl" };
+  const MesoSearch search = MesoSearchOf(this->Options);
+  if (search == MesoSearch::Cone || search == MesoSearch::Certified)
+  {
+    shape.Chunks.insert(
+      shape.Chunks.end(), { "Common/ConeAccess.glsl", "Kernels/HeightLevels.glsl" });
+  }
+  shape.Chunks.emplace_back("Common/HeightSurface.glsl");
   shape.Chunks.insert(shape.Chunks.end(), way.Kernels.begin(), way.Kernels.end());
   shape.Chunks.insert(shape.Chunks.end(), { "Kernels/HeightHit.glsl", "Kernels/PathCut.glsl" });
-  const MesoSearch search = MesoSearchOf(this->Options);
   const MesoSearchSteps steps = this->Steps.value_or(MesoStepsOfQuality(this->Options.Quality));
   const int refining = search == MesoSearch::LinearSecant ? (steps.Binary + 1) / 2 : steps.Binary;
   // Equal steps are for levels of the map's pyramid in any case.
   shape.Chunks.insert(
     shape.Chunks.end(), { "Kernels/LinearSearch.glsl", "Kernels/LinearBinarySearch.glsl" });
   const std::vector<std::string> chunksOfSearch[] = { {}, { "Kernels/LinearSecantSearch.glsl" },
-    { "Common/ConeAccess.glsl", "Kernels/HeightCone.glsl", "Kernels/ConeSearch.glsl" },
-    { "Common/ConeAccess.glsl", "Kernels/HeightCone.glsl", "Kernels/CertifiedSearch.glsl" } };
+    { "Kernels/HeightCone.glsl", "Kernels/ConeSearch.glsl" },
+    { "Kernels/HeightCone.glsl", "Kernels/CertifiedSearch.glsl" } };
   const auto& searchChunks = chunksOfSearch[static_cast<int>(search)];
   shape.Chunks.insert(shape.Chunks.end(), searchChunks.begin(), searchChunks.end());
   shape.Chunks.insert(shape.Chunks.end(),
@@ -121,6 +143,10 @@ MesoShaderShape MesoReliefShader::GetShape() const
   if (filtered)
   {
     shape.Defines.emplace_back("MESO_FILTER", "");
+  }
+  if (this->UsesLevels())
+  {
+    shape.Defines.emplace_back("MESO_CONE_LEVELS", "");
   }
   if (bicubic)
   {
@@ -161,13 +187,22 @@ std::string MesoReliefShader::Activate(vtkOpenGLRenderWindow* window)
       ? this->Base.Activate(window, this->Options.Wrap)
       : std::string("there is no image of the base, which vtkMesoBaseImage makes");
   }
-  return this->UsesCones() ? this->Cones.Activate(window, this->GetHeightMap(), this->Options.Wrap)
-                           : std::string();
+  if (!this->UsesCones())
+  {
+    return {};
+  }
+  std::string problem = this->PrepareCones();
+  if (problem.empty() && this->UsesLevels())
+  {
+    problem = this->Levels.Activate(window, this->Options.Wrap);
+  }
+  return problem.empty() ? this->Cones.Activate(window, this->Options.Wrap) : problem;
 }
 
 void MesoReliefShader::SetUniforms(vtkShaderProgram* program)
 {
   this->Heights.SetUniforms(program);
+  this->Levels.SetUniforms(program);
   this->Cones.SetUniforms(program);
   this->Base.SetUniforms(program);
   if (program->IsUniformUsed("mesoScale"))
@@ -184,6 +219,7 @@ const double* MesoReliefShader::GetCentre() const
 void MesoReliefShader::Deactivate()
 {
   this->Heights.Deactivate();
+  this->Levels.Deactivate();
   this->Cones.Deactivate();
   this->Base.Deactivate();
 }
@@ -191,11 +227,13 @@ void MesoReliefShader::Deactivate()
 void MesoReliefShader::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Heights.ReleaseGraphicsResources(window);
+  this->Levels.ReleaseGraphicsResources(window);
   this->Cones.ReleaseGraphicsResources(window);
   this->Base.ReleaseGraphicsResources(window);
 }
 
 std::size_t MesoReliefShader::GetGPUBytes() const
 {
-  return this->Heights.GetGPUBytes() + this->Cones.GetGPUBytes() + this->Base.GetGPUBytes();
+  return this->Heights.GetGPUBytes() + this->Levels.GetGPUBytes() + this->Cones.GetGPUBytes() +
+    this->Base.GetGPUBytes();
 }

@@ -3,6 +3,7 @@
 
 #include "MesoBaseTexture.h"
 #include "MesoConeTexture.h"
+#include "MesoHeightLevelsTexture.h"
 #include "MesoHeightMapTexture.h"
 #include "MesoOptions.h" // for MesoMesostructureOptions
 #include "MesoTechniqueShader.h"
@@ -40,12 +41,15 @@ public:
 
 private:
   bool UsesCones() const;
+  bool UsesLevels() const; ///< those of the pyramid have cones, too
+  std::string PrepareCones();
 
   MesoMesostructureOptions Options;
   std::optional<MesoSearchSteps> Steps;
   MesoHeightMapTexture Heights;
-  MesoConeTexture Cones; ///< for the searches that need them
-  MesoBaseTexture Base;  ///< for the bases that need it
+  MesoHeightLevelsTexture Levels; ///< for the search that needs them
+  MesoConeTexture Cones;          ///< for the searches that need them
+  MesoBaseTexture Base;           ///< for the bases that need it
 };
 
 #endif

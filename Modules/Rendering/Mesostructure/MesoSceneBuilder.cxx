@@ -22,6 +22,7 @@
 #include "vtkMesoPolyDataMapper.h"
 #include "vtkMesoShadowMapPass.h"
 #include "vtkMesoShapeSource.h"
+#include "vtkMesoShellMapper.h"
 #include "vtkMesoSurfaceFrames.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -144,10 +145,22 @@ void MesoSceneBuilder::SetShadows(
   const bool anyLight = std::any_of(lights.begin(), lights.end(),
     [](const MesoSceneLight& light)
     { return light.Shadow && light.Type != MesoSceneLight::Kind::Headlight; });
+  const bool several = this->Objects.size() > 1;
+  const bool volumes = std::any_of(this->Objects.begin(), this->Objects.end(),
+    [](const Object& object)
+    {
+      auto* shell = vtkMesoShellMapper::SafeDownCast(object.Mapper);
+      return shell && shell->CastsShadow();
+    });
   vtkSmartPointer<vtkMesoShadowMapPass> shadows;
-  if (anyLight && this->Objects.size() > 1)
+  if (anyLight && (several || volumes))
   {
     shadows = vtkSmartPointer<vtkMesoShadowMapPass>::New();
+    if (!several)
+    {
+      // A lone volume's map is of itself alone, and of what is far off there: half the texels will do.
+      shadows->SetResolution(shadows->GetResolution() / 2);
+    }
   }
   renderer->SetPass(shadows);
 }
@@ -317,7 +330,7 @@ void MesoSceneBuilder::AddNode(const MesoScene& scene, const MesoSceneNode& node
     {
       MesoCheckShellMaterial(node.Material, inScene);
       const MesoShellVolume read =
-        MesoReadShellVolume(node, inScene + ".mesostructure", this->Warnings);
+        MesoReadShellVolume(node, object.HeightMap, inScene + ".mesostructure", this->Warnings);
       object.Volume = read.Volume;
       object.VolumeTable = read.Table;
     }

@@ -149,6 +149,12 @@ void MesoShaderBuild::SpliceFragmentShader(MesoShaderAssembler& fragment) const
     fragment.After("//VTK::Color::Impl", "Common/HeightColorImpl.glsl",
       MesoShaderText("Common/HeightColorImpl.glsl"));
   }
+  if (this->MatterColored)
+  {
+    Before(fragment, declarations, "Common/VolumeColorDec.glsl");
+    fragment.After("//VTK::Color::Impl", "Common/VolumeColorImpl.glsl",
+      MesoShaderText("Common/VolumeColorImpl.glsl"));
+  }
   if (this->Contoured)
   {
     Before(fragment, declarations, "Kernels/Contour.glsl");

@@ -26,6 +26,7 @@ struct MesoShaderBuild
   bool Textured = false;      ///< colour textures are read where the ray hit
   bool NormalMapped = false;  ///< a normal map is read where the ray hit
   bool HeightColored = false; ///< the colour is that of the height where the ray hit
+  bool MatterColored = false; ///< or that of the volume there
   bool Contoured = false;     ///< contour lines of the height are drawn where the ray hit
   bool Clipped = false;       ///< clipping planes cut what the rays hit
   bool TakesShadows = false;  ///< other objects' shadows are looked up

@@ -2,6 +2,7 @@
 
 #include "MesoAlgorithmRun.h"
 #include "MesoGDMInput.h"
+#include "MesoHeightVolume.h"
 #include "MesoScene.h"
 #include "MesoVolumeInput.h"
 #include "vtkImageData.h"
@@ -51,6 +52,7 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volu
   shell->SetThickness(options.Scale);
   shell->SetReference(options.Reference);
   shell->SetTiles(options.Tiles[0], options.Tiles[1]);
+  shell->SetInnerFins(options.Exits == MesoExits::Interpolated);
   if (options.Technique == MesoTechnique::Slices)
   {
     const double slices = volume->GetDimensions()[2] * MesoFacetsPerTexel(options.Quality);
@@ -70,24 +72,37 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volu
   return shell->GetOutput();
 }
 
-MesoShellVolume MesoReadShellVolume(
-  const MesoSceneNode& node, const std::string& place, std::vector<std::string>& warnings)
+MesoShellVolume MesoReadShellVolume(const MesoSceneNode& node, vtkImageData* heights,
+  const std::string& place, std::vector<std::string>& warnings)
 {
   const MesoMesostructureOptions& options = node.Mesostructure;
+  if (options.Wrap != MesoWrap::Repeat)
+  {
+    throw MesoInputError(place + ".wrap: a volume repeats");
+  }
   MesoShellVolume result;
   if (!node.Baked.empty())
   {
     result.Table = MesoReadGDM(node.Baked, place + ".baked");
     result.Volume = MesoVolumeOfGDM(result.Table);
-    return result;
   }
-  result.Volume = MesoReadVolume(*node.Volume, place + ".volume", warnings);
-  if (options.Technique == MesoTechnique::GDM)
+  else
+  {
+    result.Volume = node.Volume ? MesoReadVolume(*node.Volume, place + ".volume", warnings)
+                                : MesoVolumeOfHeights(heights, place, warnings);
+  }
+  if (options.Technique == MesoTechnique::GDM && !result.Table)
   {
     constexpr int ordinaryRank = 16;
     const int rank = options.Rank ? (*options.Rank)[0] : ordinaryRank;
-    result.Table =
-      MesoMakeGDM(result.Volume, options.Quality == MesoQuality::Full ? 0 : rank, place, warnings);
+    // Full and draft show the look-up alone, which no correction takes on from a nearer distance.
+    const bool isWhole = options.Quality == MesoQuality::Full;
+    const bool isCorrected = !isWhole && options.Quality != MesoQuality::Draft;
+    result.Table = MesoMakeGDM(result.Volume, isWhole ? 0 : rank, isCorrected, place, warnings);
+  }
+  if (!node.VolumeColors.empty())
+  {
+    result.Volume = MesoColoredVolume(result.Volume, node.VolumeColors, place + ".volume_colors");
   }
   return result;
 }

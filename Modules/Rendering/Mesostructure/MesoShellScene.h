@@ -36,10 +36,11 @@ struct MesoShellVolume
   vtkSmartPointer<vtkImageData> Table; ///< null: the technique has no use for it
 };
 
-/// Reads the volume and makes its table (of gdm: whole at the quality Full), or reads a baked table,
-/// which has its volume in it. Throws MesoInputError "place...: reason".
-MesoShellVolume MesoReadShellVolume(
-  const MesoSceneNode& node, const std::string& place, std::vector<std::string>& warnings);
+/// Reads the volume, or makes one of the node's `heights` (MesoVolumeOfHeights), and makes its table (of gdm:
+/// whole at the quality Full); or reads a baked table, which has its volume in it. Throws
+/// MesoInputError "place...: reason".
+MesoShellVolume MesoReadShellVolume(const MesoSceneNode& node, vtkImageData* heights,
+  const std::string& place, std::vector<std::string>& warnings);
 
 /// Throws MesoInputError for what a material says that no volume is drawn with.
 void MesoCheckShellMaterial(const MesoSceneMaterial& material, const std::string& inScene);

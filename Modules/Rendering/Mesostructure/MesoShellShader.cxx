@@ -46,6 +46,12 @@ const char* CorrectionsOf(MesoQuality quality)
 }
 }
 
+void MesoShellShader::SetVolume(vtkImageData* volume)
+{
+  this->Volume.SetVolume(volume);
+  this->Colors.SetVolume(volume);
+}
+
 MesoShaderShape MesoShellShader::GetShape() const
 {
   const MesoEffects effects = MesoEffectsOn(this->Options);
@@ -57,6 +63,7 @@ MesoShaderShape MesoShellShader::GetShape() const
   shape.Traces = true;
   shape.Prisms = true;
   shape.WritesDepth = true;
+  shape.MatterColored = this->Colors.HasColors();
   shape.Attributes = { { "mesoPrism", "MesoPrism" } };
   shape.Chunks = { "Common/VolumeAccess.glsl", "Kernels/Prism.glsl", "Kernels/Volume.glsl",
     "Common/PrismAccess.glsl", "Common/PrismMatter.glsl" };
@@ -86,8 +93,16 @@ MesoShaderShape MesoShellShader::GetShape() const
   else
   {
     define("MESO_SEGMENTS", std::to_string(std::max(this->Options.Segments, 1)));
-    add({ "Common/PrismShell.glsl",
-      this->UsesTable() ? "Techniques/GDM.glsl" : "Techniques/ShellSDF.glsl" });
+    const bool interpolated = this->Options.Exits == MesoExits::Interpolated;
+    if (interpolated)
+    {
+      define("MESO_EXITS", "");
+      shape.VertexChunks = { "Common/PrismVertex.glsl", "Kernels/Prism.glsl",
+        "Common/PrismAccess.glsl" };
+    }
+    add(
+      { "Common/PrismShell.glsl", interpolated ? "Common/PrismExits.glsl" : "Common/PrismWalk.glsl",
+        this->UsesTable() ? "Techniques/GDM.glsl" : "Techniques/ShellSDF.glsl" });
   }
   // Prisms bend with the mesh by themselves.
   shape.DefineEffects(effects.Without({ MesoEffect::Curvature }));
@@ -110,7 +125,7 @@ std::string MesoShellShader::Activate(vtkOpenGLRenderWindow* window)
 
 std::vector<MesoMapTexture*> MesoShellShader::Textures()
 {
-  std::vector<MesoMapTexture*> textures = { &this->Prisms, &this->Volume };
+  std::vector<MesoMapTexture*> textures = { &this->Prisms, &this->Volume, &this->Colors };
   if (this->UsesTable())
   {
     textures.push_back(&this->Table);
@@ -138,10 +153,12 @@ void MesoShellShader::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Prisms.ReleaseGraphicsResources(window);
   this->Volume.ReleaseGraphicsResources(window);
+  this->Colors.ReleaseGraphicsResources(window);
   this->Table.ReleaseGraphicsResources(window);
 }
 
 std::size_t MesoShellShader::GetGPUBytes() const
 {
-  return this->Prisms.GetGPUBytes() + this->Volume.GetGPUBytes() + this->Table.GetGPUBytes();
+  return this->Prisms.GetGPUBytes() + this->Volume.GetGPUBytes() + this->Colors.GetGPUBytes() +
+    this->Table.GetGPUBytes();
 }

@@ -17,7 +17,7 @@ class MESORENDERINGMESOSTRUCTURE_EXPORT MesoShellShader : public MesoTechniqueSh
 {
 public:
   /// A canonical volume (MesoVolumeMap). Null: none, and the shell's faces are drawn.
-  void SetVolume(vtkImageData* volume) { this->Volume.SetVolume(volume); }
+  void SetVolume(vtkImageData* volume);
   vtkImageData* GetVolume() const { return this->Volume.GetVolume(); }
   /// The table of the volume, for the technique GDM. Null: none.
   void SetTable(vtkImageData* table) { this->TableProblem = this->Table.SetTable(table); }
@@ -43,6 +43,7 @@ private:
   std::string TableProblem; ///< why the table is none
   MesoPrismTexture Prisms;
   MesoVolumeMap Volume;
+  MesoVolumeColorMap Colors;
   MesoGDMTexture Table;
 };
 

@@ -21,14 +21,15 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
   std::vector<std::string> VertexChunks; ///< the same for the vertex stage
   /// Vertex attributes beside normals and texture coordinates, and the point arrays that hold them.
   std::vector<std::pair<std::string, std::string>> Attributes;
-  bool Traces = false;       ///< the technique looks for a surface other than the base mesh
-  bool UsesFrame = false;    ///< it needs the tangent frame of the vertices
-  bool WritesDepth = false;  ///< the depth buffer is that of the detail
-  bool NormalMapped = false; ///< a normal map is read where the ray hit
-  bool MeshCasts = false;    ///< into shadow maps the mesh itself is drawn, whatever else is seen
-  bool Displaced = false;    ///< the mesh itself is the detail, with its depth in MesoRelief
-  bool Prisms = false;       ///< the mesh is a shell of prisms, their numbers in MesoPrism
-  bool Diced = false;        ///< vertices are placed by the vertex stage, not read from the mesh
+  bool Traces = false;        ///< the technique looks for a surface other than the base mesh
+  bool UsesFrame = false;     ///< it needs the tangent frame of the vertices
+  bool WritesDepth = false;   ///< the depth buffer is that of the detail
+  bool NormalMapped = false;  ///< a normal map is read where the ray hit
+  bool MeshCasts = false;     ///< into shadow maps the mesh itself is drawn, whatever else is seen
+  bool Displaced = false;     ///< the mesh itself is the detail, with its depth in MesoRelief
+  bool Prisms = false;        ///< the mesh is a shell of prisms, their numbers in MesoPrism
+  bool MatterColored = false; ///< colours are the volume's own where the ray hit
+  bool Diced = false;         ///< vertices are placed by the vertex stage, not read from the mesh
 
   /// Asks for the tangent frame of the vertices, and the arrays that hold it.
   void UseFrame();
@@ -43,7 +44,8 @@ struct MESORENDERINGMESOSTRUCTURE_EXPORT MesoShaderShape
       this->Traces == other.Traces && this->UsesFrame == other.UsesFrame &&
       this->WritesDepth == other.WritesDepth && this->NormalMapped == other.NormalMapped &&
       this->MeshCasts == other.MeshCasts && this->Displaced == other.Displaced &&
-      this->Prisms == other.Prisms && this->Diced == other.Diced;
+      this->Prisms == other.Prisms && this->MatterColored == other.MatterColored &&
+      this->Diced == other.Diced;
   }
 };
 

@@ -17,12 +17,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace
 {
-/// Grows when what is baked from the same input changes.
-constexpr double BakerVersion = 3.;
-
 /// What tables in the cache have, so that one serves all qualities.
 constexpr std::array<int, 2> KeptRanks = { 12, 4 };
 
@@ -100,7 +98,7 @@ vtkSmartPointer<vtkImageData> BakeOnce(vtkMesoVDMMapper* mapper, vtkPolyData* me
     ranks[i] = std::max(ranks[i], KeptRanks[i]);
   }
   const std::map<std::string, MesoBakedParameter> parameters = {
-    { "version", std::vector<double>{ BakerVersion } },
+    { "version", std::vector<double>{ MesoVDMVersion } },
     { "heights", MesoContentOf(mapper->GetHeightMap()) },
     { "depth", std::vector<double>{ layout.Depth } },
     { "curvatures",
@@ -116,14 +114,30 @@ vtkSmartPointer<vtkImageData> BakeOnce(vtkMesoVDMMapper* mapper, vtkPolyData* me
 
 MesoBaked Read(const std::string& baked, const std::string& place)
 {
+  MesoBaked file;
   try
   {
-    return MesoReadBaked(baked, Kind);
+    file = MesoReadBaked(baked, Kind);
   }
   catch (const MesoInputError& problem)
   {
     throw MesoInputError(place + ": " + problem.what());
   }
+  std::string problem;
+  try
+  {
+    problem = MesoVDMProblem(file.Table, MesoVDMLayout::Read(file.Table));
+  }
+  catch (const std::runtime_error& reason)
+  {
+    problem = reason.what();
+  }
+  if (!problem.empty())
+  {
+    throw MesoInputError(
+      place + ": " + baked + ": is no table of view-dependent displacements: " + problem);
+  }
+  return file;
 }
 }
 
@@ -166,6 +180,14 @@ vtkSmartPointer<vtkImageData> MesoReadVDMHeights(const std::string& baked, const
   if (!heights || heights->GetNumberOfValues() != vtkIdType(size[0]) * size[1])
   {
     throw MesoInputError(place + ": " + baked + ": holds no heights of its size");
+  }
+  for (vtkIdType i = 0; i < heights->GetNumberOfValues(); ++i)
+  {
+    if (!(heights->GetValue(i) >= 0.f && heights->GetValue(i) <= 1.f))
+    {
+      throw MesoInputError(place + ": " + baked + ": holds the height " +
+        std::to_string(heights->GetValue(i)) + " at " + std::to_string(i) + ", not in [0,1]");
+    }
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(size[0], size[1], 1);

@@ -5,7 +5,6 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
-#include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,61 +14,6 @@ namespace
 {
 constexpr int Four = 4;
 constexpr int MostGroups = 3;
-
-/// Why an array is not of a size, or an empty text.
-std::string ArrayProblem(vtkDataArray* array, const char* name, int components, vtkIdType tuples)
-{
-  if (!array)
-  {
-    return std::string("it has no ") + name;
-  }
-  if (array->GetNumberOfTuples() != tuples ||
-    (components > 0 && array->GetNumberOfComponents() != components))
-  {
-    return std::string("its ") + name + " is not of the table's size";
-  }
-  return {};
-}
-
-/// Why an image does not hold what its layout says, or an empty text.
-std::string TableProblem(vtkImageData* table, const MesoVDMLayout& layout)
-{
-  vtkPointData* points = table->GetPointData();
-  vtkFieldData* data = table->GetFieldData();
-  const auto rows = static_cast<vtkIdType>(layout.Rows());
-  std::vector<std::string> problems;
-  if (points->GetArray("VDM"))
-  {
-    problems = { ArrayProblem(vtkUnsignedShortArray::SafeDownCast(points->GetArray("VDM")), "VDM",
-                   layout.DistanceColumns(), rows),
-      ArrayProblem(vtkUnsignedShortArray::SafeDownCast(points->GetArray("MVM")), "MVM",
-        layout.Curvatures, rows) };
-  }
-  else
-  {
-    vtkDataArray* weights = points->GetScalars();
-    const int rank = weights ? weights->GetNumberOfComponents() : 0;
-    problems = { ArrayProblem(weights, "Weights", 0, rows),
-      ArrayProblem(data->GetArray("VDMFunctions"), "VDMFunctions", 0, layout.DistanceColumns()),
-      ArrayProblem(data->GetArray("MVMFunctions"), "MVMFunctions", 0, layout.Curvatures),
-      ArrayProblem(data->GetArray("WeightLow"), "WeightLow", 1, rank),
-      ArrayProblem(data->GetArray("WeightWidth"), "WeightWidth", 1, rank),
-      ArrayProblem(data->GetArray("Errors"), "Errors", 1, rank) };
-    if (weights && weights->GetDataType() != VTK_UNSIGNED_CHAR &&
-      weights->GetDataType() != VTK_UNSIGNED_SHORT)
-    {
-      problems.emplace_back("its weights are not of 8 or 16 bits");
-    }
-  }
-  problems.push_back(ArrayProblem(data->GetArray("AngularError"), "AngularError", 1, 1));
-  const auto found = std::find_if(
-    problems.begin(), problems.end(), [](const std::string& text) { return !text.empty(); });
-  if (found != problems.end())
-  {
-    return *found;
-  }
-  return {};
-}
 }
 
 MesoVDMShader::MesoVDMShader()
@@ -111,7 +55,7 @@ std::string MesoVDMShader::SetTable(vtkImageData* table)
     {
       return problem.what();
     }
-    const std::string problem = TableProblem(table, this->Layout);
+    const std::string problem = MesoVDMProblem(table, this->Layout);
     if (!problem.empty())
     {
       return problem;

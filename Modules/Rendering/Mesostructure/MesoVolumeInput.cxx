@@ -164,3 +164,24 @@ vtkSmartPointer<vtkImageData> MesoReadVolume(
     : volume.IsMesh          ? ReadMesh(volume, place, warnings)
                              : ReadFile(volume, place, warnings);
 }
+
+vtkSmartPointer<vtkImageData> MesoColoredVolume(
+  vtkImageData* volume, const std::string& file, const std::string& place)
+{
+  std::string problem;
+  auto colored = vtkSmartPointer<vtkImageData>::New();
+  colored->ShallowCopy(volume);
+  try
+  {
+    problem = MesoSetVolumeColors(colored, MesoReadVolumeFile(file));
+  }
+  catch (const MesoInputError& failure)
+  {
+    throw MesoInputError(place + ": " + failure.what());
+  }
+  if (!problem.empty())
+  {
+    throw MesoInputError(place + ": " + file + ": " + problem);
+  }
+  return colored;
+}

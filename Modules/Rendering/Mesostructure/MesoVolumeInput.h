@@ -19,4 +19,9 @@ class vtkImageData;
 MESORENDERINGMESOSTRUCTURE_EXPORT vtkSmartPointer<vtkImageData> MesoReadVolume(
   const MesoSceneVolume& volume, const std::string& place, std::vector<std::string>& warnings);
 
+/// The volume with the colours of a file (MesoSetVolumeColors); the volume itself stays as it is. Throws
+/// MesoInputError "place: file: reason".
+MESORENDERINGMESOSTRUCTURE_EXPORT vtkSmartPointer<vtkImageData> MesoColoredVolume(
+  vtkImageData* volume, const std::string& file, const std::string& place);
+
 #endif

@@ -1,17 +1,12 @@
 #include "MesoVolumeMap.h"
 
 #include "MesoVolume.h"
-#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-
-MesoVolumeMap::MesoVolumeMap()
-  : MesoMapTexture(1)
-{
-}
 
 std::string MesoVolumeMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
 {
@@ -20,7 +15,12 @@ std::string MesoVolumeMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
   {
     return problem;
   }
-  vtkDataArray* distances = this->GetImage()->GetPointData()->GetArray("MesoSignedDistance");
+  return this->UploadArray(
+    window, this->GetImage()->GetPointData()->GetArray("MesoSignedDistance"));
+}
+
+std::string MesoVolumeTexture::UploadArray(vtkOpenGLRenderWindow* window, vtkDataArray* values)
+{
   int size[3];
   this->GetImage()->GetDimensions(size);
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
@@ -41,12 +41,12 @@ std::string MesoVolumeMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
   texture->SetMinificationFilter(vtkTextureObject::Linear);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
   if (!texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
-        static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), 1, VTK_FLOAT,
-        distances->GetVoidPointer(0)))
+        static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]),
+        values->GetNumberOfComponents(), VTK_FLOAT, values->GetVoidPointer(0)))
   {
     return "the volume could not be made a texture";
   }
-  this->Bytes = std::size_t(distances->GetNumberOfValues()) * sizeof(float);
+  this->Bytes = std::size_t(values->GetNumberOfValues()) * sizeof(float);
   return {};
 }
 
@@ -56,4 +56,20 @@ void MesoVolumeMap::SetUniforms(vtkShaderProgram* program)
   {
     program->SetUniformf("mesoVolumeDepth", static_cast<float>(MesoVolumeDepth(this->GetImage())));
   }
+}
+
+void MesoVolumeColorMap::SetVolume(vtkImageData* volume)
+{
+  this->SetImage(volume && MesoVolumeColors(volume) ? volume : nullptr);
+}
+
+std::string MesoVolumeColorMap::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
+{
+  vtkFloatArray* colors = MesoVolumeColors(this->GetImage());
+  return colors ? this->UploadArray(window, colors) : "the volume's colors are gone";
+}
+
+void MesoVolumeColorMap::SetUniforms(vtkShaderProgram* program)
+{
+  this->SetSampler(program, "mesoVolumeColors");
 }

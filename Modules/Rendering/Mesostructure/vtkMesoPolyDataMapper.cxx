@@ -401,6 +401,8 @@ MesoShaderBuild vtkMesoPolyDataMapper::DescribeBuild(vtkOpenGLHelper& cellBO, vt
   build.Diced = triangles && this->PlacesVertices(actor);
   build.Surface = build.Surface && build.Diced == shape.Diced;
   build.HeightColored = build.Surface && this->HeightColorsReady && !build.Caster;
+  build.MatterColored =
+    build.Surface && shape.MatterColored && !build.HeightColored && !build.Caster;
   build.Contoured = build.Surface && this->DrawsContours(shape) && !build.Caster;
   build.ContourHeights = static_cast<int>(this->ContourLines.Heights.size());
   build.Traces = build.Surface && shape.Traces;

@@ -17,6 +17,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMesoPolyDataMapper.h"
 #include "vtkMesoShadowCasterPass.h"
+#include "vtkMesoShellMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLError.h"
@@ -55,6 +56,13 @@ vtkSmartPointer<vtkRenderPass> MakeDefaultPass()
   auto camera = vtkSmartPointer<vtkCameraPass>::New();
   camera->SetDelegatePass(sequence);
   return camera;
+}
+
+/// Whether an actor's shadow on itself is more than its technique looks for: a volume in a shell, whose matter is
+/// searched for along the shell alone.
+bool CastsOnItself(vtkActor* actor)
+{
+  return vtkMesoShellMapper::SafeDownCast(actor->GetMapper()) != nullptr;
 }
 
 /// Whether the mesh lies in a plane across one of its own axes.
@@ -373,7 +381,8 @@ void vtkMesoShadowMapPass::Render(const vtkRenderState* state)
 
   this->NumberOfMaps = 0;
   this->FindCasters(renderer);
-  if (this->Casters.size() > 1)
+  if (this->Casters.size() > 1 ||
+    std::any_of(this->Casters.begin(), this->Casters.end(), &CastsOnItself))
   {
     this->PlaceTiles(renderer, this->Resolution);
     this->TileSize = this->Resolution;

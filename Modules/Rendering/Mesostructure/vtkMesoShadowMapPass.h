@@ -13,7 +13,8 @@
  *   whose vtkLight::SetShadowAttenuation is 0 casts none, in between a part of its light is taken.
  * - Every visible, opaque vtkActor of the renderer casts. With Meso's mappers the effect
  *   `cast_shadow` must be on, which also lets them take shadows; other mappers of triangles take
- *   them as well. With fewer than two such actors nothing is added to any shader.
+ *   them as well. With fewer than two such actors nothing is added to any shader, unless one of them is drawn
+ *   as a volume in a shell (vtkMesoShellMapper), which shades itself from afar.
  * - An object's own relief blocks light by the technique's search; of the object itself the map
  *   counts only what lies beyond its shell, so that nothing is counted twice. Documentation/Shadows.md
  *   says how far that is, and what it misses.

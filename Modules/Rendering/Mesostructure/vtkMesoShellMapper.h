@@ -2,12 +2,15 @@
  * @class vtkMesoShellMapper
  * @brief Draw a volume of mesostructure - overhangs, weaves, chains - in a shell of prisms over a mesh.
  *
- * The input is the shell that vtkMesoPrismShell makes of the mesh. Its faces that look to the eye are
- * rasterised, fins and bottoms among them; a fragment is where the eye's ray comes into a prism. The
- * ray's way to where it leaves the prism is a straight line in texture space (or several, the options'
+ * The input is the shell that vtkMesoPrismShell makes of the mesh. Its outside, as far as it looks to the eye,
+ * is rasterised; a fragment is where the eye's ray comes into the shell, from where it is followed from prism to
+ * prism. The ray's way through a prism is a straight line in texture space (or several, the options'
  * Segments), along which the volume is searched; a fragment that meets nothing is not drawn, and the
- * depth buffer decides between prisms, in any order of drawing (Wang2004, section 3.2). With the eye or
- * the near plane in the shell the prisms around it are entered there.
+ * depth buffer decides between fragments, in any order of drawing (Wang2004, section 3.2). With the eye or
+ * the near plane in the shell rays begin there.
+ *
+ * The options' Exits: with Interpolated each prism is drawn by itself (the shell with InnerFins), and where a
+ * ray leaves it comes out of distances at its vertices (section 4.2); for comparison.
  *
  * The options' Technique says how the volume is searched:
  *
@@ -22,7 +25,8 @@
  * Volume: a canonical volume, one tile of the mesostructure in x and y, whole in z: the point array
  * MesoSignedDistance (1, float; tile widths, negative inside; row 0 at t = 0, z from the shell's bottom to
  * its top) and the field array MesoVolumeDepth (1; z counts that many tile widths). Matter ends at the
- * shell's bottom, top and open fins, where its cut is seen.
+ * shell's bottom, top and open fins, where its cut is seen. The point array MesoColor (3, float; red,
+ * green, blue in [0, 1]), where there is one, multiplies the actor's ambient and diffuse color where matter is met.
  *
  * The options' Scale is the shell's thickness, which the input has already; Effects other than shading,
  * self-shadow and those of shadow maps are shown together or not at all.

@@ -1,5 +1,7 @@
 #include "MesoPrismSolver.h"
 
+#include "vtkFloatArray.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -266,6 +268,46 @@ MesoVolumeTruth::MesoVolumeTruth(vtkImageData* volume)
   }
   const glm::dvec3 perWidth(size[0], size[1], size[2] / this->Samples.GetDepth());
   this->Most = std::max(glm::length(most * perWidth), 1e-9);
+  if (vtkFloatArray* colors = MesoVolumeColors(volume))
+  {
+    for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    {
+      const double* color = colors->GetTuple3(i);
+      this->Colors.emplace_back(color[0], color[1], color[2]);
+    }
+  }
+}
+
+glm::dvec3 MesoVolumeTruth::ColorAt(const glm::dvec3& place) const
+{
+  if (this->Colors.empty())
+  {
+    return glm::dvec3(1.);
+  }
+  const std::array<int, 3>& size = this->Samples.GetSize();
+  const glm::dvec3 at = place * glm::dvec3(size[0], size[1], size[2]) - 0.5;
+  const glm::dvec3 low = glm::floor(at);
+  const glm::dvec3 weight = at - low;
+  glm::dvec3 sum(0.);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    std::array<int, 3> sample{};
+    double share = 1.;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool next = ((corner >> axis) & 1) != 0;
+      const double number = low[axis] + (next ? 1. : 0.);
+      share *= next ? weight[axis] : 1. - weight[axis];
+      // Tiles repeat; above and below goes on what is there.
+      sample[axis] = axis < 2
+        ? static_cast<int>(number - std::floor(number / size[axis]) * size[axis])
+        : static_cast<int>(glm::clamp(number, 0., size[axis] - 1.));
+    }
+    sum += share *
+      this
+        ->Colors[sample[0] + std::size_t(size[0]) * (sample[1] + std::size_t(size[1]) * sample[2])];
+  }
+  return sum;
 }
 
 glm::dvec3 MesoVolumeTruth::Gradient(const glm::dvec3& place) const

@@ -35,6 +35,8 @@ public:
   glm::dvec3 Gradient(const glm::dvec3& place) const;
   /// Central differences of one voxel.
   glm::dvec3 SmoothGradient(const glm::dvec3& place) const;
+  /// Red, green and blue; 1 where the volume has no colours.
+  glm::dvec3 ColorAt(const glm::dvec3& place) const;
   double MostChange() const { return this->Most; }
   /// The shortest side of a voxel, tile widths.
   double VoxelSide() const;
@@ -42,6 +44,7 @@ public:
 private:
   MesoVolumeField Samples;
   double Most = 0.;
+  std::vector<glm::dvec3> Colors; ///< x fastest; none where the volume has none
 };
 
 /// A prism, and how the map lies over it.

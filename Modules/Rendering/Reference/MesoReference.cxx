@@ -251,7 +251,7 @@ glm::dvec3 MesoReference::Implementation::Bounced(const Sample& sample, int boun
   for (int bounce = 0; bounce < bounces; ++bounce)
   {
     // Directions as dense as Lambert's cosine: what they bring counts by the albedo alone.
-    carried *= this->Materials[from.At.Object].Albedo(from.Point.MapCoord);
+    carried *= this->Materials[from.At.Object].Albedo(from.Point.MapCoord, from.Point.Color);
     MesoReferenceTracer::Ray ray;
     ray.Direction = MesoCosineDirection(from.Point.Shading, numbers.x, numbers.y);
     numbers = { random.Next(), random.Next() };
@@ -269,8 +269,8 @@ glm::dvec3 MesoReference::Implementation::Bounced(const Sample& sample, int boun
     from.Place = ray.Origin + from.At.T * ray.Direction;
     this->FindBlocked(from, from.Place, blocked, work);
     light += carried *
-      this->Materials[from.At.Object].ShadeDiffuse(
-        this->Lights, blocked, from.Place, from.Point.Shading, from.Point.MapCoord);
+      this->Materials[from.At.Object].ShadeDiffuse(this->Lights, blocked, from.Place,
+        from.Point.Shading, from.Point.MapCoord, from.Point.Color);
   }
   return light;
 }
@@ -300,7 +300,7 @@ MesoReference::Implementation::Sample MesoReference::Implementation::Look(double
   const bool all = shadowsOnPlain || surface.HasDetail();
   sample.Color = this->Materials[sample.At.Object].Shade(this->Lights,
     all ? blocked : this->CastOn(sample, blocked), place, sample.Point.Shading, eye,
-    sample.Point.MapCoord);
+    sample.Point.MapCoord, sample.Point.Color);
 
   ray.TMax = sample.At.T + 1e-9 * std::abs(sample.At.T);
   sample.MeetsBase = !sample.At.Behind &&

@@ -165,7 +165,7 @@ glm::dvec3 MesoReferenceMaterial::TextureAt(const glm::dvec2& mapCoord) const
 
 glm::dvec3 MesoReferenceMaterial::Shade(const std::vector<MesoReferenceLight>& lights,
   const std::vector<double>& blocked, const glm::dvec3& point, const glm::dvec3& shading,
-  const glm::dvec3& eye, const glm::dvec2& mapCoord) const
+  const glm::dvec3& eye, const glm::dvec2& mapCoord, const glm::dvec3& own) const
 {
   glm::dvec3 diffuse(0.);
   glm::dvec3 specular(0.);
@@ -193,7 +193,7 @@ glm::dvec3 MesoReferenceMaterial::Shade(const std::vector<MesoReferenceLight>& l
   {
     diffuse = glm::dvec3(1.); // VTK without lights: ambient and diffuse at full
   }
-  glm::dvec3 color = this->Ambient + this->Diffuse * diffuse + this->Specular * specular;
+  glm::dvec3 color = own * (this->Ambient + this->Diffuse * diffuse) + this->Specular * specular;
   if (this->Width > 0)
   {
     color *= this->TextureAt(mapCoord);
@@ -201,14 +201,14 @@ glm::dvec3 MesoReferenceMaterial::Shade(const std::vector<MesoReferenceLight>& l
   return color;
 }
 
-glm::dvec3 MesoReferenceMaterial::Albedo(const glm::dvec2& mapCoord) const
+glm::dvec3 MesoReferenceMaterial::Albedo(const glm::dvec2& mapCoord, const glm::dvec3& own) const
 {
-  return this->Width > 0 ? this->Diffuse * this->TextureAt(mapCoord) : this->Diffuse;
+  return own * (this->Width > 0 ? this->Diffuse * this->TextureAt(mapCoord) : this->Diffuse);
 }
 
 glm::dvec3 MesoReferenceMaterial::ShadeDiffuse(const std::vector<MesoReferenceLight>& lights,
   const std::vector<double>& blocked, const glm::dvec3& point, const glm::dvec3& shading,
-  const glm::dvec2& mapCoord) const
+  const glm::dvec2& mapCoord, const glm::dvec3& own) const
 {
   glm::dvec3 light(lights.empty() ? 1. : 0.); // VTK without lights: all at full
   for (std::size_t i = 0; i < lights.size(); ++i)
@@ -218,5 +218,5 @@ glm::dvec3 MesoReferenceMaterial::ShadeDiffuse(const std::vector<MesoReferenceLi
     light += std::max(0., lights[i].AttenuationAt(point) * glm::dot(shading, towards)) *
       (1. - blocked[i]) * lights[i].Radiance;
   }
-  return this->Albedo(mapCoord) * light;
+  return this->Albedo(mapCoord, own) * light;
 }

@@ -70,18 +70,19 @@ public:
   MesoReferenceMaterial(vtkActor* actor, MesoWrap wrap);
 
   /// The colour of a point, not clamped. `blocked`: for each light the fraction that does not arrive;
-  /// `shading` unit; `eye`: unit, from the point to the camera's position.
+  /// `shading` unit; `eye`: unit, from the point to the camera's position; `own`: the colour of the detail
+  /// itself, by which ambient and diffuse light are multiplied.
   glm::dvec3 Shade(const std::vector<MesoReferenceLight>& lights,
     const std::vector<double>& blocked, const glm::dvec3& point, const glm::dvec3& shading,
-    const glm::dvec3& eye, const glm::dvec2& mapCoord) const;
+    const glm::dvec3& eye, const glm::dvec2& mapCoord, const glm::dvec3& own) const;
 
   /// What the surface makes of diffuse light: the fraction of each colour that it sends on.
-  glm::dvec3 Albedo(const glm::dvec2& mapCoord) const;
+  glm::dvec3 Albedo(const glm::dvec2& mapCoord, const glm::dvec3& own) const;
 
   /// The diffuse part of Shade(): what the lights alone, without ambient and specular, give.
   glm::dvec3 ShadeDiffuse(const std::vector<MesoReferenceLight>& lights,
     const std::vector<double>& blocked, const glm::dvec3& point, const glm::dvec3& shading,
-    const glm::dvec2& mapCoord) const;
+    const glm::dvec2& mapCoord, const glm::dvec3& own) const;
 
 private:
   glm::dvec3 TextureAt(const glm::dvec2& mapCoord) const;

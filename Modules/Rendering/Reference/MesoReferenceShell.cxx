@@ -127,6 +127,7 @@ MesoReferenceShell::Point MesoReferenceShell::Describe(
   Point point;
   point.MapCoord = glm::dvec2(chart);
   point.Relief = glm::clamp(1. - chart.z, 0., 1.);
+  point.Color = this->Volume.ColorAt(chart);
   const bool cut = hit.Cut >= 0 && (hit.Cut < 2 || ((this->Ends[triangle] >> (hit.Cut - 2)) & 1));
   if (hit.Cut == -2)
   {

@@ -37,6 +37,7 @@ public:
     glm::dvec3 Shading;
     glm::dvec2 MapCoord;
     double Relief;
+    glm::dvec3 Color; ///< of the volume
     double VoxelSize; ///< the shortest side of a voxel there, object units
   };
 

@@ -46,7 +46,8 @@ glm::dvec3 NormalToWorld(const glm::dmat4& inverse, const glm::dvec3& normal)
 MesoReferenceSurface::MesoReferenceSurface(
   const MesoSceneBuilder::Object& object, const MesoSceneMesh& source, bool smooth)
   : Label("node " + std::to_string(object.Number) + " '" + object.Name + "'")
-  , Displaced(object.HeightMap && object.Options.Technique != MesoTechnique::Plain)
+  , Displaced(object.HeightMap && !object.Volume && // a map made a volume is a shell
+      object.Options.Technique != MesoTechnique::Plain)
   , TwoSided(!object.Actor->GetProperty()->GetBackfaceCulling())
   , Scale(this->Displaced ? object.Options.Scale : 0.)
   , Reference(object.Options.Reference)
@@ -399,6 +400,7 @@ MesoReferencePoint MesoReferenceSurface::DescribeInShell(
   result.Shading = toWorld(point.Shading);
   result.MapCoord = point.MapCoord;
   result.Relief = point.Relief;
+  result.Color = point.Color;
   result.TexelSize =
     point.VoxelSize * std::cbrt(std::abs(glm::determinant(glm::dmat3(this->Matrix))));
   return result;

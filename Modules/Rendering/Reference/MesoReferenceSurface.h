@@ -49,6 +49,8 @@ struct MesoReferencePoint
   glm::dvec3 Shading;   ///< unit
   glm::dvec2 MapCoord;
   double Relief;
+  glm::dvec3 Color =
+    glm::dvec3(1.); ///< of the detail, by which diffuse and ambient light are multiplied
   double TexelSize; ///< the shorter side of a texel on the base; 1e-3 of the object without a map
 };
 

@@ -1,0 +1,24 @@
+#ifndef MesoHeightPyramid_h
+#define MesoHeightPyramid_h
+
+#include "mesoFiltersMapsModule.h" // for export macro
+
+#include <vector>
+
+/// A level of a height map's pyramid, row by row from v = 0.
+struct MesoHeightLevel
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Heights;
+};
+
+/**
+ * The levels above a map of width x height heights, row 0 at v = 0: each has half as many texels along u and
+ * v as the one before, rounded down, and each texel is the mean of what it covers of that one. The last is
+ * that of which a side is one texel; a map with such a side has none.
+ */
+MESOFILTERSMAPS_EXPORT std::vector<MesoHeightLevel> MesoMakeHeightPyramid(
+  int width, int height, const float* heights);
+
+#endif

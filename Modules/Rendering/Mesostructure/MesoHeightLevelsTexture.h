@@ -1,0 +1,34 @@
+#ifndef MesoHeightLevelsTexture_h
+#define MesoHeightLevelsTexture_h
+
+#include "MesoMapTexture.h"
+
+/**
+ * @class MesoHeightLevelsTexture
+ * @brief The levels of a height map's pyramid above the map itself, as a texture to be read texel by texel.
+ *
+ * One float channel; the levels (MesoMakeHeightPyramid) lie side by side. A device's own pyramid is not asked
+ * for: its texels are the device's, and quads of pixels share a level. See Shaders/Common/ConeAccess.glsl.
+ */
+class MesoHeightLevelsTexture : public MesoMapTexture
+{
+public:
+  MesoHeightLevelsTexture();
+
+  /// Make the levels of a height map of one float component, unless they are those of it as it is now.
+  void Prepare(vtkImageData* heights);
+
+  /// One image a level, from the map itself on.
+  const std::vector<vtkSmartPointer<vtkImageData>>& GetLevels() const { return this->Levels; }
+
+  void SetUniforms(vtkShaderProgram* program) override;
+
+protected:
+  std::string Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap) override;
+
+private:
+  std::vector<vtkSmartPointer<vtkImageData>> Levels;
+  unsigned long long PreparedTime = 0; ///< MTime of the map that they are of
+};
+
+#endif

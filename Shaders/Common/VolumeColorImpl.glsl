@@ -1,0 +1,3 @@
+  vec3 mesoMatterColor = colorOfMatter();
+  ambientColor *= mesoMatterColor;
+  diffuseColor *= mesoMatterColor;
