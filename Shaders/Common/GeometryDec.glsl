@@ -41,5 +41,9 @@ in vec3 mesoQuadricVSOutput[];
 in vec3 mesoMetricVSOutput[];
 out vec3 mesoQuadricGSOutput;
 out vec3 mesoMetricGSOutput;
+#ifdef MESO_CURVATURE_AT_VERTEX
+in float mesoViewCurvatureVSOutput[];
+out float mesoViewCurvatureGSOutput;
+#endif
 #endif
 #endif

@@ -26,5 +26,8 @@
 #ifdef MESO_CURVATURE
     mesoQuadricGSOutput = mesoQuadricVSOutput[i];
     mesoMetricGSOutput = mesoMetricVSOutput[i];
+#ifdef MESO_CURVATURE_AT_VERTEX
+    mesoViewCurvatureGSOutput = mesoViewCurvatureVSOutput[i];
+#endif
 #endif
 #endif

@@ -60,18 +60,18 @@ vec2 angleFunctionPlace(float curvature)
   return vec2((curvature + 0.5) / float(MESO_VDM_CURVATURES), 0.5);
 }
 
-float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, float level, inout int fetches)
+float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, inout int fetches)
 {
   vec3 weight = weightPlace(mapCoord, turns);
   vec2 place = functionPlace(polar, curvature);
-  float stored = dot(textureLod(mesoVDMWeights0, weight, level) + mesoVDMShift0,
+  float stored = dot(textureLod(mesoVDMWeights0, weight, 0.0) + mesoVDMShift0,
     textureLod(mesoVDMFunctions0, place, 0.0));
 #if MESO_VDM_GROUPS > 1
-  stored += dot(textureLod(mesoVDMWeights1, weight, level) + mesoVDMShift1,
+  stored += dot(textureLod(mesoVDMWeights1, weight, 0.0) + mesoVDMShift1,
     textureLod(mesoVDMFunctions1, place, 0.0));
 #endif
 #if MESO_VDM_GROUPS > 2
-  stored += dot(textureLod(mesoVDMWeights2, weight, level) + mesoVDMShift2,
+  stored += dot(textureLod(mesoVDMWeights2, weight, 0.0) + mesoVDMShift2,
     textureLod(mesoVDMFunctions2, place, 0.0));
 #endif
   fetches += 2 * MESO_VDM_GROUPS;
@@ -79,18 +79,18 @@ float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, float 
 }
 
 // The largest polar angle, of 90 degrees; factors sum to what it leaves. The weights of sampleVDM at the same place serve again.
-float sampleMVM(vec2 mapCoord, float turns, float curvature, float level, inout int fetches)
+float sampleMVM(vec2 mapCoord, float turns, float curvature, inout int fetches)
 {
   vec3 weight = weightPlace(mapCoord, turns);
   vec2 place = angleFunctionPlace(curvature);
-  float angle = dot(textureLod(mesoVDMWeights0, weight, level) + mesoVDMShift0,
+  float angle = dot(textureLod(mesoVDMWeights0, weight, 0.0) + mesoVDMShift0,
     textureLod(mesoMVMFunctions0, place, 0.0));
 #if MESO_MVM_GROUPS > 1
-  angle += dot(textureLod(mesoVDMWeights1, weight, level) + mesoVDMShift1,
+  angle += dot(textureLod(mesoVDMWeights1, weight, 0.0) + mesoVDMShift1,
     textureLod(mesoMVMFunctions1, place, 0.0));
 #endif
 #if MESO_MVM_GROUPS > 2
-  angle += dot(textureLod(mesoVDMWeights2, weight, level) + mesoVDMShift2,
+  angle += dot(textureLod(mesoVDMWeights2, weight, 0.0) + mesoVDMShift2,
     textureLod(mesoMVMFunctions2, place, 0.0));
 #endif
   fetches += MESO_MVM_GROUPS + max(MESO_MVM_GROUPS - MESO_VDM_GROUPS, 0);
@@ -127,7 +127,7 @@ float sampleFours(sampler3D slices, vec2 mapCoord, float turns, int first, float
   return mix(before, four[high - high / 4 * 4], place - float(low));
 }
 
-float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, float level, inout int fetches)
+float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, inout int fetches)
 {
   int low = min(int(curvature), max(MESO_VDM_CURVATURES - 2, 0));
   int high = min(low + 1, MESO_VDM_CURVATURES - 1);
@@ -138,7 +138,7 @@ float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, float 
     curvature - float(low));
 }
 
-float sampleMVM(vec2 mapCoord, float turns, float curvature, float level, inout int fetches)
+float sampleMVM(vec2 mapCoord, float turns, float curvature, inout int fetches)
 {
   return sampleFours(
     mesoVDMAngles, mapCoord, turns, 0, curvature, MESO_VDM_CURVATURES, fetches);

@@ -33,4 +33,9 @@
   mesoMetricVSOutput = vec3(mesoTileScale.x * mesoTileScale.x,
     mesoTileScale.x * mesoTileScale.y * dot(mesoTangent, mesoBitangent),
     mesoTileScale.y * mesoTileScale.y);
+#ifdef MESO_CURVATURE_AT_VERTEX
+  mesoViewCurvatureVSOutput =
+    viewCurvature(mesoPositionVCVSOutput, mesoPerTCoordUVSOutput, mesoPerTCoordVVSOutput,
+      mesoModelToView * (-mesoScale * normalize(mesoNormal)), mesoQuadricVSOutput);
+#endif
 #endif

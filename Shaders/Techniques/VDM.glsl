@@ -5,8 +5,13 @@
 //   MESO_CURVATURE       the base has the curvature of the vertices; without it, it is flat
 //   MESO_SILHOUETTE      rays beyond the largest polar angle at which there is relief are not drawn
 //   MESO_VDM_FLAT_SHADOW light comes out of a flat base, as in the paper
+//   MESO_CURVATURE_AT_VERTEX  the view ray's has been found at the vertices, as in the paper
 //   MESO_VDM_NEAREST     the largest angle is that of the nearest texel, as in the paper
-//   MESO_FILTER          where texels are smaller than pixels, all are those of a level of their pyramids
+//   MESO_FILTER          where texels are smaller than pixels, normals are those of a level of the map
+
+#ifdef MESO_CURVATURE_AT_VERTEX
+in float mesoViewCurvatureVSOutput; // Techniques/VDMVertex
+#endif
 
 // 1 / tile, of the base along a direction over the map: quadric z = c rho^2 / 2, in units of the depth.
 float tableCurvature(MesoFragment f, VDMLayout table, vec2 over)
@@ -19,16 +24,11 @@ float tableCurvature(MesoFragment f, VDMLayout table, vec2 over)
 #endif
 }
 
-// The table's level whose texels are as large as those of the height map's level that is drawn; where that is the
-// map itself, the table itself.
-float tableLevel()
+// The map's, whatever its level that is drawn: what is looked up is not averaged. A table's interpolation
+// asks for no more than a sampler's.
+float mapRelief(vec2 mapCoord)
 {
-#ifdef MESO_FILTER
-  vec2 texels = mesoVDMTexels / vec2(mapSize());
-  return clamp(mesoLevel + 0.5 * log2(texels.x * texels.y), 0.0, mesoLevel);
-#else
-  return 0.0;
-#endif
+  return 1.0 - filteredHeight(mapCoord, 0.0);
 }
 
 // What the table stores for a ray. Steeper ones than its first are between that and the normal, along which
@@ -36,13 +36,13 @@ float tableLevel()
 float lookUp(VDMLayout table, vec2 mapCoord, VDMDirection ray, float curvature, inout int fetches)
 {
   float stored = sampleVDM(mapCoord, ray.Turns, vdmPolarPlace(table, ray.Polar),
-    vdmCurvaturePlace(table, curvature), tableLevel(), fetches);
+    vdmCurvaturePlace(table, curvature), fetches);
   float steeper = vdmSteeper(table, ray.Polar);
   if (steeper > 0.0)
   {
     VDMPoint below;
     below.Offset = 0.0;
-    below.Depth = (1.0 - sampleHeight(mapCoord)) * table.Depth;
+    below.Depth = mapRelief(mapCoord) * table.Depth;
     below.RayLength = below.Depth;
     stored = mix(stored, vdmNumber(table, 0.0, 1.0, curvature, below) / table.Range, steeper);
     fetches += 1;
@@ -64,7 +64,7 @@ bool missesRelief(
   vec2 mapCoord = f.MapCoord;
 #endif
   return ray.Polar > VDMRightAngle *
-      sampleMVM(mapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), tableLevel(), fetches);
+      sampleMVM(mapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), fetches);
 }
 
 bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
@@ -86,7 +86,12 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
 #endif
     return false;
   }
+#ifdef MESO_CURVATURE_AT_VERTEX
+  float curvature =
+    clamp(mesoViewCurvatureVSOutput, table.FirstCurvature, table.LastCurvature);
+#else
   float curvature = tableCurvature(f, table, ray.Over);
+#endif
   float stored = lookUp(table, f.MapCoord, ray, curvature, hit.Fetches);
 #ifdef MESO_SILHOUETTE
   if (missesRelief(f, table, ray, curvature, hit.Fetches))
@@ -99,7 +104,7 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
   hit.RayLength = point.RayLength / ray.Length;
   hit.MapCoord = f.MapCoord + point.Offset * ray.Over;
   // As the map has it there, from where light is followed.
-  hit.Relief = 1.0 - sampleHeight(hit.MapCoord);
+  hit.Relief = mapRelief(hit.MapCoord);
   hit.TexelReads = 8 * hit.Fetches + 4;
   hit.Fetches += 1;
   return true;
@@ -117,7 +122,7 @@ vec3 reliefNormal(MesoFragment f, MesoSurfaceHit hit, vec2 gradient)
 // mean square error.
 float shadowTolerance(MesoFragment f, MesoSurfaceHit hit, VDMLayout table, VDMDirection into)
 {
-  vec2 slope = -table.Depth * surfaceFacet(hit.MapCoord); // of the facet's depth
+  vec2 slope = -table.Depth * patchGradient(hit.MapCoord); // of the facet's depth
   float along = dot(slope, into.Over);
   float across = into.Over.x * slope.y - into.Over.y * slope.x;
   // Depth that ray and facet gain on each other, a depth of the ray.
@@ -133,7 +138,7 @@ float shadowTolerance(MesoFragment f, MesoSurfaceHit hit, VDMLayout table, VDMDi
   float azimuthStep = VDMTurn / float(MESO_VDM_AZIMUTHS);
   float bent = 0.125 * depth *
     (polarStep * polarStep * polarBend + azimuthStep * azimuthStep * azimuthBend);
-  float aside = dot(abs(slope), 0.5 * exp2(tableLevel()) / mesoVDMTexels) / closing;
+  float aside = dot(abs(slope), 0.5 / mesoVDMTexels) / closing;
   return (bent + aside + 2.0 * mesoVDMError) / into.Cosine;
 }
 

@@ -58,6 +58,7 @@ Arm& Add(Arms& arms, const MesoScene& scene, MesoTechnique technique, MesoQualit
   arm.Scene = scene;
   arm.Scene.Nodes[0].Mesostructure.Technique = technique;
   arm.Scene.Nodes[0].Mesostructure.Quality = quality;
+  arm.Scene.Nodes[0].Mesostructure.Filter = MesoFilter::None; // what is measured is the map itself
   return arm;
 }
 

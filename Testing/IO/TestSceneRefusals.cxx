@@ -122,6 +122,9 @@ TEST(SceneRefusals, WordsThatAreNoChoice)
     "geometry-image, tessellated)");
   EXPECT_EQ(OfRelief(R"(, "parallax": "offset")"),
     "s.json: nodes[0].mesostructure.parallax: technique relief has no parallax to choose");
+  EXPECT_EQ(OfRelief(R"(, "curvature_at": "vertex")"),
+    "s.json: nodes[0].mesostructure.curvature_at: technique relief has no choice of where "
+    "curvature is taken; vdm has");
   EXPECT_EQ(OfRelief(R"(, "penumbra": 2)"),
     "s.json: nodes[0].mesostructure.penumbra: technique relief has no penumbra");
   EXPECT_EQ(OfRelief(R"(, "facet_pixels": 2)"),

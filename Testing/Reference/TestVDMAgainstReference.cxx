@@ -84,6 +84,13 @@ TEST(VDMAgainstReference, OnATorus)
     [](const MesoSceneBuilder& builder) { MapperOf(builder)->SetFlatShadows(true); });
   const MesoGeometryError nearest = errorOf("nearest outline", "medium",
     [](const MesoSceneBuilder& builder) { MapperOf(builder)->SetNearestOutlines(true); });
+  MesoScene atVertices = Torus(table, "medium");
+  atVertices.Nodes[0].Mesostructure.CurvatureAt = MesoCurvatureAt::Vertex;
+  const MesoGeometryError vertices = MesoCompareGeometry(truth, DrawnAOVs(atVertices, Size, Size));
+  report("at vertices", vertices);
+  EXPECT_NE(vertices.Texcoord.P95, factors.Texcoord.P95);
+  EXPECT_GT(vertices.CoverageIou, 0.98);
+  EXPECT_LT(vertices.Texcoord.P50, 0.5);
   EXPECT_GT(factors.CoverageIou, 0.99);
   EXPECT_LT(factors.Texcoord.P50, 0.5);
   EXPECT_LT(factors.Texcoord.P95, 4.);

@@ -5,11 +5,11 @@
 #include "MesoBaseline.h"
 #include "MesoExpectedMessages.h"
 #include "MesoTestScene.h"
+#include "MesoTestVDM.h"
 
 #include "vtkFieldData.h"
 #include "vtkMesoAOVPass.h"
 #include "vtkMesoReliefMapper.h"
-#include "vtkMesoVDM.h"
 #include "vtkMesoVDMMapper.h"
 
 #include <gtest/gtest.h>
@@ -21,24 +21,6 @@ namespace
 {
 const double Pi = std::acos(-1.);
 constexpr int Size = 64;
-
-/// A small table of a map.
-vtkSmartPointer<vtkImageData> TableOf(
-  vtkImageData* heights, double depth, int rank = 0, int size = 24, int azimuths = 12)
-{
-  MesoVDMLayout layout;
-  layout.Width = layout.Height = size;
-  layout.Azimuths = azimuths;
-  layout.Curvatures = 4; // -1.5, 0, 1.5, 3
-  layout.FirstCurvature = -1.5;
-  layout.Depth = depth;
-  vtkNew<vtkMesoVDM> filter;
-  filter->SetInputData(heights);
-  filter->SetLayout(layout);
-  filter->SetRanks(rank, rank);
-  filter->Update();
-  return filter->GetOutput();
-}
 
 /// The torus with brick, plain and by a table.
 class VDMOnTorus : public testing::Test
@@ -55,7 +37,7 @@ protected:
     this->Plain->SetInputData(torus);
     this->VDM->SetInputData(MesoTestScene::Prepared(torus, MesoTechnique::VDM));
     this->VDM->SetHeightMap(this->Heights);
-    this->VDM->SetTable(TableOf(this->Heights, 0.1));
+    this->VDM->SetTable(MesoSmallVDM(this->Heights, 0.1));
     this->VDM->SetScale(0.06);
     this->VDM->SetTiles(10., 4.);
     this->Scene.AddDirectionalLight(-1., -2., -1.);
@@ -142,7 +124,7 @@ TEST_F(VDMOnTorus, IsPlainWhereTheMapIsHigh)
   {
     vtkSmartPointer<vtkImageData> high = MesoTestScene::Constant(1.f);
     this->VDM->SetHeightMap(high);
-    this->VDM->SetTable(TableOf(high, 0.1, rank, 4));
+    this->VDM->SetTable(MesoSmallVDM(high, 0.1, rank, 4));
     this->ExpectPlain(MesoImageLimits()); // a color's last bit may be rounded otherwise
   }
 }
@@ -175,7 +157,7 @@ TEST_F(VDMOnTorus, RefusesWhatIsNoTable)
     EXPECT_EQ(expected.GetCount(), 1);
   }
   this->ExpectPlain();
-  const auto table = TableOf(this->Heights, 0.1, 4);
+  const auto table = MesoSmallVDM(this->Heights, 0.1, 4);
   table->GetFieldData()->RemoveArray("VDMFunctions");
   MesoExpectedMessages expected("has no VDMFunctions");
   this->VDM->SetTable(table);
@@ -189,7 +171,7 @@ TEST_F(VDMOnTorus, DrawsEveryChoiceOfEffects)
   const auto plain = this->Picture(this->Plain);
   for (const int rank : { 0, 3 })
   {
-    this->VDM->SetTable(TableOf(this->Heights, 0.1, rank));
+    this->VDM->SetTable(MesoSmallVDM(this->Heights, 0.1, rank));
     for (const MesoEffect left : effects)
     {
       MesoMesostructureOptions options = this->VDM->GetOptions();
@@ -210,7 +192,7 @@ TEST_F(VDMOnTorus, LooksUpAtMostFourteenTimes)
   vtkNew<vtkMesoAOVPass> pass;
   this->Scene.Renderer->RemoveAllLights();
   this->Scene.AddDirectionalLight(-1., -2., -1.);
-  this->VDM->SetTable(TableOf(this->Heights, 0.1, 8));
+  this->VDM->SetTable(MesoSmallVDM(this->Heights, 0.1, 8));
   MesoMesostructureOptions options = this->VDM->GetOptions();
   options.Rank = { 8, 4 };
   this->VDM->SetOptions(options);
@@ -222,6 +204,93 @@ TEST_F(VDMOnTorus, LooksUpAtMostFourteenTimes)
   pass->ReleaseGraphicsResources(this->Scene.Window);
 }
 
+TEST_F(VDMOnTorus, CurvatureMayBeTakenAtTheVertices)
+{
+  const auto atPixels = this->Picture(this->VDM);
+  MesoMesostructureOptions options = this->VDM->GetOptions();
+  options.CurvatureAt = MesoCurvatureAt::Vertex;
+  this->VDM->SetOptions(options);
+  const auto atVertices = this->Picture(this->VDM);
+  // The same but for some pixels at edges, and not the same.
+  MesoImageLimits limits;
+  limits.SmallDifference = 16;
+  limits.SmallFraction = 0.05;
+  limits.LargeDifference = 255;
+  const auto difference = MesoCompareImages(atVertices, atPixels, limits);
+  EXPECT_TRUE(difference.Within) << difference.Describe();
+  EXPECT_FALSE(MesoCompareImages(atVertices, atPixels, MesoImageLimits::Exact()).Within);
+  // With a geometry stage in between, which hands it on.
+  this->Scene.Actor->GetProperty()->EdgeVisibilityOn();
+  EXPECT_FALSE(
+    MesoCompareImages(this->Picture(this->VDM), this->Picture(this->Plain), limits).Within);
+  this->Scene.Actor->GetProperty()->EdgeVisibilityOff();
+  // A parallel camera's rays have one direction everywhere.
+  this->Scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Scene.Renderer->GetActiveCamera()->SetParallelScale(1.6);
+  const auto parallel = this->Picture(this->VDM);
+  options.CurvatureAt = MesoCurvatureAt::Pixel;
+  this->VDM->SetOptions(options);
+  const auto other = MesoCompareImages(parallel, this->Picture(this->VDM), limits);
+  EXPECT_TRUE(other.Within) << other.Describe();
+}
+
+TEST_F(VDMOnTorus, CurvatureAtTheVerticesOfAPlaneIsThatOfItsPixels)
+{
+  this->VDM->SetInputData(
+    MesoTestScene::Prepared(MesoTestScene::Shape("plane"), MesoTechnique::VDM));
+  this->Scene.LookFrom(0.3, 1., 2.);
+  const auto atPixels = this->Picture(this->VDM);
+  MesoMesostructureOptions options = this->VDM->GetOptions();
+  options.CurvatureAt = MesoCurvatureAt::Vertex;
+  this->VDM->SetOptions(options);
+  EXPECT_TRUE(MesoCompareImages(this->Picture(this->VDM), atPixels, MesoImageLimits()).Within);
+}
+
+TEST_F(VDMOnTorus, FarAwayNormalsAreAveraged)
+{
+  // Nearer to the mean of many pixels than without levels.
+  for (const int rank : { 0, 8 })
+  {
+    const auto noise = MesoTestScene::Pattern("noise");
+    this->VDM->SetHeightMap(noise);
+    this->VDM->SetTable(MesoSmallVDM(noise, 0.05, rank, Size));
+    this->VDM->SetScale(0.02);
+    const auto meanDifference = [&](MesoFilter filter, double distance)
+    {
+      MesoMesostructureOptions options = this->VDM->GetOptions();
+      this->Scene.LookFrom(distance / 6., distance / 2., distance * 5. / 6.);
+      options.Filter = MesoFilter::None;
+      this->VDM->SetOptions(options);
+      constexpr int factor = 6;
+      this->Scene.Window->SetSize(50 * factor, 50 * factor);
+      const auto fine = this->Picture(this->VDM);
+      this->Scene.Window->SetSize(50, 50);
+      options.Filter = filter;
+      this->VDM->SetOptions(options);
+      const auto coarse = this->Picture(this->VDM);
+      double sum = 0.;
+      for (int row = 0; row < 50; ++row)
+      {
+        for (int column = 0; column < 50; ++column)
+        {
+          double mean = 0.;
+          for (int i = 0; i < factor * factor; ++i)
+          {
+            mean += fine->GetScalarComponentAsDouble(
+              column * factor + i % factor, row * factor + i / factor, 0, 0);
+          }
+          const double apart =
+            coarse->GetScalarComponentAsDouble(column, row, 0, 0) - mean / (factor * factor);
+          sum += apart * apart;
+        }
+      }
+      return std::sqrt(sum / 2500.);
+    };
+    EXPECT_LT(meanDifference(MesoFilter::Auto, 9.), 0.8 * meanDifference(MesoFilter::None, 9.))
+      << rank;
+  }
+}
+
 TEST(VDMMapper, MeetsALevelWhereItIs)
 {
   const auto level = MesoTestScene::Constant(0.25f);
@@ -229,7 +298,7 @@ TEST(VDMMapper, MeetsALevelWhereItIs)
   {
     vtkNew<vtkMesoVDMMapper> mapper;
     mapper->SetHeightMap(level);
-    mapper->SetTable(TableOf(level, 0.2, rank, 4)); // the plane's relief is 0.1 tiles deep
+    mapper->SetTable(MesoSmallVDM(level, 0.2, rank, 4)); // the plane's relief is 0.1 tiles deep
     for (const double degrees : { 0., 40., 75. })
     {
       VDMPlane plane(degrees, 0.7);
@@ -262,7 +331,7 @@ TEST(VDMMapper, AgreesWithReliefMappingAngleByAngle)
   const auto heights = MesoTestScene::Pattern("smooth", Size, Size);
   vtkNew<vtkMesoVDMMapper> vdm;
   vdm->SetHeightMap(heights);
-  vdm->SetTable(TableOf(heights, 0.1, 0, Size, 32));
+  vdm->SetTable(MesoSmallVDM(heights, 0.1, 0, Size, 32));
   vtkNew<vtkMesoReliefMapper> relief;
   relief->SetHeightMap(heights);
   MesoMesostructureOptions options = relief->GetOptions();
@@ -271,7 +340,7 @@ TEST(VDMMapper, AgreesWithReliefMappingAngleByAngle)
   for (const Case& one : { Case{ 0., 0.02, 0.05 }, Case{ 30., 0.05, 0.1 }, Case{ 50., 0.05, 0.3 },
          Case{ 70., 0.2, 1.5 }, Case{ 80., 1., 6. } })
   {
-    VDMPlane plane(one.Degrees, 0.4);
+    VDMPlane plane(one.Degrees, 3.6); // both steps over the map are negative
     plane.Capture(relief);
     const auto u = plane.Values("texcoord.u");
     const auto v = plane.Values("texcoord.v");
@@ -297,7 +366,7 @@ TEST(VDMMapper, HasNoSeamBetweenTheLastAzimuthAndTheFirst)
   vdm->SetHeightMap(heights);
   for (const int rank : { 0, 8 })
   {
-    vdm->SetTable(TableOf(heights, 0.1, rank));
+    vdm->SetTable(MesoSmallVDM(heights, 0.1, rank));
     VDMPlane before(50., -0.002);
     before.Capture(vdm);
     VDMPlane after(50., 0.002);
@@ -313,12 +382,12 @@ TEST(VDMMapper, MoreFactorsAreNearerToTheTable)
   const auto heights = MesoTestScene::Pattern("brick", Size, Size);
   vtkNew<vtkMesoVDMMapper> vdm;
   vdm->SetHeightMap(heights);
-  vdm->SetTable(TableOf(heights, 0.1));
+  vdm->SetTable(MesoSmallVDM(heights, 0.1));
   VDMPlane plane(55., 0.3);
   plane.Capture(vdm);
   const auto u = plane.Values("texcoord.u");
   const auto v = plane.Values("texcoord.v");
-  vdm->SetTable(TableOf(heights, 0.1, 12));
+  vdm->SetTable(MesoSmallVDM(heights, 0.1, 12));
   double before = 1e9;
   for (const auto quality :
     { MesoQuality::Draft, MesoQuality::Low, MesoQuality::Medium, MesoQuality::High })
@@ -347,7 +416,7 @@ TEST(VDMMapper, HardViewsGiveNumbers)
   vdm->SetHeightMap(heights);
   for (const int rank : { 0, 8 })
   {
-    vdm->SetTable(TableOf(heights, 0.25, rank));
+    vdm->SetTable(MesoSmallVDM(heights, 0.25, rank));
     for (const char* shape : { "torus", "sphere", "undulating", "plane" })
     {
       vdm->SetInputData(MesoTestScene::Prepared(MesoTestScene::Shape(shape), MesoTechnique::VDM));

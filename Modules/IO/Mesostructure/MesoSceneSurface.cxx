@@ -204,10 +204,15 @@ MesoEffectChoice ReadEffects(const MesoSceneValue& value, MesoTechnique techniqu
 /// How the map is read between its texels, and where they are smaller than pixels.
 void ReadSampling(const MesoSceneValue& value, MesoMesostructureOptions& options)
 {
+  const std::string refusal =
+    std::string("technique ") + MesoName(options.Technique) + " has no choice of it";
   if (!MesoHasSearches(options.Technique))
   {
-    value.Refuse({ "interpolation", "filter" },
-      std::string("technique ") + MesoName(options.Technique) + " has no choice of it");
+    value.Refuse({ "interpolation" }, refusal);
+    if (options.Technique != MesoTechnique::VDM)
+    {
+      value.Refuse({ "filter" }, refusal);
+    }
   }
   value.With("interpolation",
     [&](const MesoSceneValue& kind)
@@ -487,6 +492,16 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
       }
       options.Parallax = kind.ToChoice<MesoParallaxKind>(
         "parallax", &MesoParallaxKindFromName, MesoParallaxKindNames());
+    });
+  value.With("curvature_at",
+    [&](const MesoSceneValue& kind)
+    {
+      if (options.Technique != MesoTechnique::VDM)
+      {
+        kind.Fail("technique " + name + " has no choice of where curvature is taken; vdm has");
+      }
+      options.CurvatureAt = kind.ToChoice<MesoCurvatureAt>(
+        "place of curvature", &MesoCurvatureAtFromName, MesoCurvatureAtNames());
     });
   value.With("penumbra",
     [&](const MesoSceneValue& angle)

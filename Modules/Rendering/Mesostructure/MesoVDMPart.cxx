@@ -17,7 +17,6 @@
 namespace
 {
 constexpr int Four = 4;
-constexpr int AllLevels = 1000; // VTK's default is the first alone
 
 const char* NameOf(MesoVDMPart::Kind kind)
 {
@@ -145,18 +144,13 @@ std::string MesoVDMPart::UploadWeights(vtkOpenGLRenderWindow* window)
   vtkTextureObject* texture = this->Texture();
   Begin(texture, window, vtkTextureObject::Repeat);
   texture->SetWrapR(vtkTextureObject::Repeat);
-  texture->SetMaxLevel(AllLevels);
-  texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
   texture->SetInternalFormat(bytes > 1 ? GL_RGBA16 : GL_RGBA8);
   if (!texture->Create3DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
         static_cast<unsigned int>(azimuths), Four, weights->GetDataType(), texels.data()))
   {
     return "the table's weights could not be made a texture";
   }
-  texture->Activate();
-  glGenerateMipmap(GL_TEXTURE_3D);
-  texture->Deactivate();
-  this->Bytes = texels.size() + texels.size() / 7; // with the levels of its pyramid
+  this->Bytes = texels.size();
   return {};
 }
 

@@ -164,6 +164,12 @@ MesoShaderShape MesoVDMShader::GetShape() const
   {
     shape.VertexChunks = { "Kernels/Quadric.glsl" };
     shape.Attributes.emplace_back("mesoQuadric", "MesoQuadric");
+    if (this->Options.CurvatureAt == MesoCurvatureAt::Vertex)
+    {
+      shape.VertexChunks = { "Kernels/Frame.glsl", "Kernels/Quadric.glsl",
+        "Techniques/VDMVertex.glsl" };
+      shape.Defines.emplace_back("MESO_CURVATURE_AT_VERTEX", "");
+    }
   }
   shape.DefineEffects(effects);
   return shape;
