@@ -8,8 +8,8 @@ std::string MesoShadeForeignLighting(const std::string& fragment, int numberOfLi
   const bool traced = fragment.find("#define MESO_SURFACE\n") != std::string::npos;
   const std::string place = traced
     ? "mesoHitVC, mesoFragment.NormalVC, mesoHit.Relief * length(mesoFragment.PerDepth), "
-      "length(mesoFragment.PerDepth)"
-    : "vertexVC.xyz, facetOf(vertexVC.xyz, normalVCVSOutput), 0.0, 0.0";
+      "length(mesoFragment.PerDepth), 0.0"
+    : "vertexVC.xyz, facetOf(vertexVC.xyz, normalVCVSOutput), 0.0, 0.0, 0.0";
   const std::regex color("lightColor([0-9]+)");
   std::istringstream lines(fragment);
   std::string result;
