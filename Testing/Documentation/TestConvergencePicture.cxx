@@ -1,19 +1,16 @@
 // The plot of section 3.2's claim in Documentation/Techniques/ShellSDF.md: that the distortion of straight ways through
 // prisms goes to 0 as the base is made finer. Each base is judged by its own truth.
 
+#include "ChartPicture.h"
 #include "DrawnAOVs.h"
-#include "MesoBaseline.h"
 #include "MesoGeometryError.h"
 #include "MesoReference.h"
 #include "MesoScene.h"
-#include "MesoTestScene.h"
 
 #include "vtkAutoInit.h"
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
-#include "vtkContextActor.h"
-#include "vtkContextScene.h"
 #include "vtkFloatArray.h"
 #include "vtkPlot.h"
 #include "vtkPlotPoints.h"
@@ -109,14 +106,5 @@ TEST(ConvergencePicture, DistortionGoesToNothingAsTheBaseIsMadeFiner)
     axis->LogScaleOn();
     axis->SetUnscaledRange(i == 0 ? 0.002 : 10., i == 0 ? 0.2 : 120.);
   }
-  MesoTestScene scene(480, 320);
-  scene.Renderer->RemoveActor(scene.Actor);
-  scene.Window->SetMultiSamples(4);
-  scene.Renderer->SetBackground(1., 1., 1.);
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(chart);
-  scene.Renderer->AddActor(actor);
-  actor->GetScene()->SetRenderer(scene.Renderer);
-  EXPECT_TRUE(MesoCompareWithBaseline(MesoGrabWindow(scene.Window), "ShellConvergence",
-    MesoImageLimits(), { MESO_IMAGES, MESO_OUTPUT_FOLDER }));
+  ExpectChart(chart, "ShellConvergence");
 }

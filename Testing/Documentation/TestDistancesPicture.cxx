@@ -1,16 +1,13 @@
 // The picture of three distances to a curved base in Documentation/CurvedRelief.md: Oliveira2005, Figure 10,
 // against the true depth.
 
-#include "MesoBaseline.h"
-#include "MesoTestScene.h"
+#include "ChartPicture.h"
 #include "QuadricDistances.h"
 
 #include "vtkAutoInit.h"
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
-#include "vtkContextActor.h"
-#include "vtkContextScene.h"
 #include "vtkFloatArray.h"
 #include "vtkPen.h"
 #include "vtkPlot.h"
@@ -85,14 +82,5 @@ TEST(DistancesPicture, ThreeDistancesOverTheTrueOne)
     axis->SetTitle(titles[i]);
     axis->GetTitleProperties()->SetFontSize(14);
   }
-  MesoTestScene scene(480, 320);
-  scene.Renderer->RemoveActor(scene.Actor);
-  scene.Window->SetMultiSamples(4);
-  scene.Renderer->SetBackground(1., 1., 1.);
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(chart);
-  scene.Renderer->AddActor(actor);
-  actor->GetScene()->SetRenderer(scene.Renderer);
-  EXPECT_TRUE(MesoCompareWithBaseline(MesoGrabWindow(scene.Window), "CurvedDistances",
-    MesoImageLimits(), { MESO_IMAGES, MESO_OUTPUT_FOLDER }));
+  ExpectChart(chart, "CurvedDistances");
 }

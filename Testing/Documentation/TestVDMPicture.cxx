@@ -1,14 +1,11 @@
 // The plots in Documentation/Techniques/VDM.md, of what BenchVDM and BenchVDMFactors have measured.
 
-#include "MesoBaseline.h"
-#include "MesoTestScene.h"
+#include "ChartPicture.h"
 
 #include "vtkAutoInit.h"
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
-#include "vtkContextActor.h"
-#include "vtkContextScene.h"
 #include "vtkFloatArray.h"
 #include "vtkPen.h"
 #include "vtkPlotPoints.h"
@@ -148,16 +145,7 @@ void Draw(const std::vector<Line>& lines, const Axis& across, const Axis& up, co
     plot->SetMarkerSize(6.f);
     plot->GetPen()->SetLineType(line.Dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
   }
-  MesoTestScene scene(480, 320);
-  scene.Renderer->RemoveActor(scene.Actor);
-  scene.Window->SetMultiSamples(4);
-  scene.Renderer->SetBackground(1., 1., 1.);
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(chart);
-  scene.Renderer->AddActor(actor);
-  actor->GetScene()->SetRenderer(scene.Renderer);
-  EXPECT_TRUE(MesoCompareWithBaseline(
-    MesoGrabWindow(scene.Window), name, MesoImageLimits(), { MESO_IMAGES, MESO_OUTPUT_FOLDER }));
+  ExpectChart(chart, name);
 }
 
 /// By their columns, in the order of the bench.

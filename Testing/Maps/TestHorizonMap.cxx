@@ -2,7 +2,8 @@
 
 #include "vtkMesoHorizonMap.h"
 
-#include "vtkFloatArray.h"
+#include "MadeMap.h"
+
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -19,23 +20,6 @@
 namespace
 {
 const double twoPi = 2. * vtkMath::Pi();
-
-vtkSmartPointer<vtkImageData> MakeMap(
-  int width, int height, const std::function<double(int, int)>& heightAt)
-{
-  vtkNew<vtkFloatArray> heights;
-  for (int row = 0; row < height; ++row)
-  {
-    for (int column = 0; column < width; ++column)
-    {
-      heights->InsertNextValue(static_cast<float>(heightAt(column, row)));
-    }
-  }
-  auto map = vtkSmartPointer<vtkImageData>::New();
-  map->SetDimensions(width, height, 1);
-  map->GetPointData()->SetScalars(heights);
-  return map;
-}
 
 double AngleAt(vtkMesoHorizonMap* filter, int column, int row, int azimuth)
 {

@@ -3,6 +3,7 @@
 
 // Tiny maps, tables of view-dependent displacements of them, and their numbers.
 
+#include "MadeMap.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -12,30 +13,12 @@
 #include "vtkPointData.h"
 
 #include <cmath>
-#include <functional>
 #include <random>
 #include <vector>
 
 namespace VDMTables
 {
 const double Pi = std::acos(-1.);
-
-inline vtkSmartPointer<vtkImageData> MakeMap(
-  int width, int height, const std::function<double(int, int)>& heightAt)
-{
-  vtkNew<vtkFloatArray> heights;
-  for (int row = 0; row < height; ++row)
-  {
-    for (int column = 0; column < width; ++column)
-    {
-      heights->InsertNextValue(static_cast<float>(heightAt(column, row)));
-    }
-  }
-  auto map = vtkSmartPointer<vtkImageData>::New();
-  map->SetDimensions(width, height, 1);
-  map->GetPointData()->SetScalars(heights);
-  return map;
-}
 
 inline vtkSmartPointer<vtkImageData> RandomMap(int width, int height)
 {
