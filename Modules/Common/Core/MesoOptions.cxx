@@ -48,6 +48,8 @@ constexpr Entry<MesoCurvatureAt> CurvaturePlaces[] = { { MesoCurvatureAt::Pixel,
   { MesoCurvatureAt::Vertex, "vertex" } };
 constexpr Entry<MesoExits> ExitKinds[] = { { MesoExits::Exact, "exact" },
   { MesoExits::Interpolated, "interpolated" } };
+constexpr Entry<MesoStack> Stacks[] = { { MesoStack::Prism, "prism" },
+  { MesoStack::Screen, "screen" } };
 
 template <typename T, std::size_t N>
 const char* NameOf(const Entry<T> (&table)[N], T value)
@@ -147,6 +149,11 @@ const char* MesoName(MesoExits value)
   return NameOf(ExitKinds, value);
 }
 
+const char* MesoName(MesoStack value)
+{
+  return NameOf(Stacks, value);
+}
+
 std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name)
 {
   return FromName(Techniques, name);
@@ -207,6 +214,11 @@ std::optional<MesoExits> MesoExitsFromName(const std::string& name)
   return FromName(ExitKinds, name);
 }
 
+std::optional<MesoStack> MesoStackFromName(const std::string& name)
+{
+  return FromName(Stacks, name);
+}
+
 std::vector<std::string> MesoTechniqueNames()
 {
   return AllNames(Techniques);
@@ -265,6 +277,11 @@ std::vector<std::string> MesoCurvatureAtNames()
 std::vector<std::string> MesoExitsNames()
 {
   return AllNames(ExitKinds);
+}
+
+std::vector<std::string> MesoStackNames()
+{
+  return AllNames(Stacks);
 }
 
 MesoEffects::MesoEffects(std::initializer_list<MesoEffect> effects)

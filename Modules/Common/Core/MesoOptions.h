@@ -101,6 +101,13 @@ enum class MesoExits
   Interpolated ///< from distances to the faces' planes at the vertices, interpolated (Wang2004)
 };
 
+/// How the slices of `slices` lie.
+enum class MesoStack
+{
+  Prism, ///< in each prism, parallel to its bottom and top (Meyer1998)
+  Screen ///< parallel to the projection plane (Meyer1998)
+};
+
 /// What lies outside the map's [0,1] x [0,1].
 enum class MesoWrap
 {
@@ -172,6 +179,7 @@ MESOCOMMONCORE_EXPORT const char* MesoName(MesoInterpolation value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoFilter value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoCurvatureAt value);
 MESOCOMMONCORE_EXPORT const char* MesoName(MesoExits value);
+MESOCOMMONCORE_EXPORT const char* MesoName(MesoStack value);
 MESOCOMMONCORE_EXPORT std::optional<MesoTechnique> MesoTechniqueFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoQuality> MesoQualityFromName(const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoSearch> MesoSearchFromName(const std::string& name);
@@ -188,6 +196,7 @@ MESOCOMMONCORE_EXPORT std::optional<MesoFilter> MesoFilterFromName(const std::st
 MESOCOMMONCORE_EXPORT std::optional<MesoCurvatureAt> MesoCurvatureAtFromName(
   const std::string& name);
 MESOCOMMONCORE_EXPORT std::optional<MesoExits> MesoExitsFromName(const std::string& name);
+MESOCOMMONCORE_EXPORT std::optional<MesoStack> MesoStackFromName(const std::string& name);
 ///@}
 
 ///@{
@@ -204,6 +213,7 @@ MESOCOMMONCORE_EXPORT std::vector<std::string> MesoInterpolationNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoFilterNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoCurvatureAtNames();
 MESOCOMMONCORE_EXPORT std::vector<std::string> MesoExitsNames();
+MESOCOMMONCORE_EXPORT std::vector<std::string> MesoStackNames();
 ///@}
 
 /// Steps of linear and binary search of a quality.
@@ -283,6 +293,7 @@ struct MesoMesostructureOptions
   int Segments = 1; ///< straight pieces that a ray's way through a prism is cut into, >= 1
   MesoCurvatureAt CurvatureAt = MesoCurvatureAt::Pixel; ///< of VDM
   MesoExits Exits = MesoExits::Exact;                   ///< of GDM and ShellSDF
+  MesoStack Stack = MesoStack::Prism;                   ///< of Slices
   /// Of techniques that dice on the GPU: pixels along a facet's side, >= 0; 0: texels alone decide;
   /// default: what the quality stands for.
   std::optional<double> FacetPixels;

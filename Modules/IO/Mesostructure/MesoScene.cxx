@@ -2,6 +2,7 @@
 
 #include "MesoFileBytes.h"
 #include "MesoMessage.h"
+#include "MesoSceneMesostructure.h"
 #include "MesoSceneSurface.h"
 #include "MesoSceneValue.h"
 

@@ -3,7 +3,7 @@
 
 /**
  * @file MesoSceneSurface.h
- * @brief The parts of a scene file that say what a surface is: mesh, part, material, mesostructure.
+ * @brief The parts of a scene file that say what a base is: mesh, part, material.
  *
  * Each reads the value of the key of its name and throws MesoInputError on what is wrong with it.
  */
@@ -13,8 +13,5 @@
 MesoSceneMesh MesoReadSceneMesh(const MesoSceneValue& value);
 MesoScenePart MesoReadScenePart(const MesoSceneValue& value);
 MesoSceneMaterial MesoReadSceneMaterial(const MesoSceneValue& value);
-
-/// Sets the node's Mesostructure and Map.
-void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node);
 
 #endif
