@@ -54,12 +54,6 @@ std::string BytesOfFiles(const std::vector<MesoSceneNode>& nodes)
   return bytes;
 }
 
-Json ToJson(const MesoMilliseconds& milliseconds)
-{
-  return { { "median", milliseconds.Median }, { "min", milliseconds.Minimum },
-    { "max", milliseconds.Maximum } };
-}
-
 Json ToJson(const std::optional<MesoInterval>& interval)
 {
   return interval ? Json{ interval->Low, interval->High } : Json();
@@ -347,8 +341,8 @@ void BenchScene::Time(const std::vector<std::unique_ptr<Arm>>& arms, const MesoS
     const MesoFrameCost& cost = costs[i + 1];
     const SceneSize size = SizeOfScene(arms[i]->Builder);
     Json& row = arms[i]->Row;
-    row["gpu_ms"] = ToJson(cost.Gpu);
-    row["frame_ms"] = ToJson(cost.Frame);
+    row["gpu_ms"] = JsonOfMilliseconds(cost.Gpu);
+    row["frame_ms"] = JsonOfMilliseconds(cost.Frame);
     row["gpu_ms"]["interval"] = ToJson(MesoMedianInterval(cost.GpuRounds));
     row["ratio_to_floor"] =
       floorMilliseconds > 0. ? Json(cost.Gpu.Median / floorMilliseconds) : Json();

@@ -54,3 +54,9 @@ Json JsonOfError(const MesoImageError& error)
   }
   return json;
 }
+
+Json JsonOfMilliseconds(const MesoMilliseconds& milliseconds)
+{
+  return { { "median", milliseconds.Median }, { "min", milliseconds.Minimum },
+    { "max", milliseconds.Maximum } };
+}

@@ -1,6 +1,7 @@
 #ifndef FiguresJson_h
 #define FiguresJson_h
 
+#include "MesoFrameCost.h"
 #include "MesoImageError.h"
 
 #include <nlohmann/json.hpp>
@@ -11,5 +12,8 @@
  * figures of depth and texture coordinate of each.
  */
 nlohmann::ordered_json JsonOfError(const MesoImageError& error);
+
+/// `median`, `min` and `max`.
+nlohmann::ordered_json JsonOfMilliseconds(const MesoMilliseconds& milliseconds);
 
 #endif

@@ -1,5 +1,6 @@
 #include "RenderResults.h"
 
+#include "FiguresJson.h"
 #include "MesoFrameCost.h"
 #include "MesoRadicalInverse.h"
 #include "MesoSceneBuilder.h"
@@ -35,12 +36,6 @@ void ReadPixels(vtkMesoEGLRenderWindow* window, vtkUnsignedCharArray* pixels)
   {
     throw MesoInputError("the picture could not be read back from the device");
   }
-}
-
-nlohmann::json ToJson(const MesoMilliseconds& milliseconds)
-{
-  return { { "median", milliseconds.Median }, { "min", milliseconds.Minimum },
-    { "max", milliseconds.Maximum } };
 }
 
 /// The value itself where all objects agree, else a list of the different ones.
@@ -172,8 +167,8 @@ std::string MeasureStats(vtkMesoEGLRenderWindow* window, const MesoSceneBuilder&
   stats["quality"] = OneOrList(qualities);
   stats["effects"] = effects;
   stats["size"] = { pass->GetWidth(), pass->GetHeight() };
-  stats["gpu_ms"] = ToJson(cost.Gpu);
-  stats["frame_ms"] = ToJson(cost.Frame);
+  stats["gpu_ms"] = JsonOfMilliseconds(cost.Gpu);
+  stats["frame_ms"] = JsonOfMilliseconds(cost.Frame);
   stats["clock"] = cost.Clock;
   stats["runs"] = cost.Runs;
   stats["covered_pixels"] = static_cast<long long>(fetches.Covered);

@@ -359,7 +359,7 @@ void MesoReadSceneMesostructure(const MesoSceneValue& value, MesoSceneNode& node
   {
     CheckHasScale(value, technique);
   }
-  value.With("range", [&](const MesoSceneValue& range) { node.Map->Range = ReadRange(range); });
+  value.With("range", [&](const MesoSceneValue& range) { node.Map->Range = MesoReadRange(range); });
   value.With("sample_spacing",
     [&](const MesoSceneValue& spacing)
     { node.Map->SampleSpacing = spacing.ToNumbers<2>(MesoSceneRanges::Positive); });

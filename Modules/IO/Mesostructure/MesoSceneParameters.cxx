@@ -38,6 +38,16 @@ std::vector<double> MesoReadParameter(const MesoSceneValue& value, const MesoPar
   return numbers;
 }
 
+std::array<double, 2> MesoReadRange(const MesoSceneValue& value)
+{
+  const auto range = value.ToNumbers<2>();
+  if (!(range[0] < range[1]))
+  {
+    value.Fail("the first number must be less than the second");
+  }
+  return range;
+}
+
 void MesoReadPatternValues(const MesoSceneValue& value,
   const std::vector<MesoParameter>& parameters, std::uint32_t& seed,
   std::map<std::string, double>& values)

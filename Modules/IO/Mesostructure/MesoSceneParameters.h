@@ -3,7 +3,7 @@
 
 /**
  * @file MesoSceneParameters.h
- * @brief Words of a list, and the numbers of what is built in, read from a scene file.
+ * @brief Words of a list, ranges, and the numbers of what is built in, read from a scene file.
  */
 
 #include "MesoParameter.h"
@@ -17,6 +17,9 @@ std::string MesoReadName(const MesoSceneValue& value, const std::string& kind,
 void MesoCheckNamesKind(const MesoSceneValue& value, const std::string& key);
 
 std::vector<double> MesoReadParameter(const MesoSceneValue& value, const MesoParameter& parameter);
+
+/// [from, to], the one less than the other.
+std::array<double, 2> MesoReadRange(const MesoSceneValue& value);
 
 /// A pattern's `seed` and its own keys, where they are given.
 void MesoReadPatternValues(const MesoSceneValue& value,

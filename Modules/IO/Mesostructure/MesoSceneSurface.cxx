@@ -43,24 +43,13 @@ MesoSceneColorBy ReadColorBy(const MesoSceneValue& value)
   return colorBy;
 }
 
-/// [from, to], the one less than the other.
-std::array<double, 2> ReadRange(const MesoSceneValue& value)
-{
-  const auto range = value.ToNumbers<2>();
-  if (!(range[0] < range[1]))
-  {
-    value.Fail("the first number must be less than the second");
-  }
-  return range;
-}
-
 void ReadLookupTable(const MesoSceneValue& value, MesoSceneColorBy& colorBy)
 {
   value.CheckKeys("lookup_table");
   value.With("name",
     [&](const MesoSceneValue& name)
     { colorBy.LookupTable = MesoReadName(name, "lookup table", MesoColorMapNames(), {}); });
-  value.With("range", [&](const MesoSceneValue& range) { colorBy.Range = ReadRange(range); });
+  value.With("range", [&](const MesoSceneValue& range) { colorBy.Range = MesoReadRange(range); });
 }
 
 MesoSceneHeightUnit ReadValuesOf(const MesoSceneValue& value)
@@ -166,7 +155,7 @@ MesoScenePart MesoReadScenePart(const MesoSceneValue& value)
   value.CheckKeys("part");
   MesoScenePart part;
   std::tie(part.By, part.Component) = ReadArrayName(value.At("by"));
-  part.Range = ReadRange(value.At("range"));
+  part.Range = MesoReadRange(value.At("range"));
   return part;
 }
 
