@@ -9,8 +9,9 @@
 
 // What the volume's distance is at most at the end of a look-up that met matter, in voxels.
 const float MESO_SURFACE_VOXELS = MESO_CORRECTIONS > 0 ? 0.5 : 1.5;
-// Look-ups of a way at most. Where one ends at nothing - before matter that the corrections do not reach, as where a
-// ray runs along it, or beside matter that it passes - the next begins. Without corrections the one says all.
+// Look-ups of an eye's way at most. Where one ends at nothing - before matter that the corrections do not reach, as
+// where a ray runs along it, or beside matter that it passes - the next begins. Without corrections the one says
+// all; so does it of a light's way, which others would find blocked by the surface that it leaves.
 const int MESO_LOOKUPS = MESO_CORRECTIONS > 0 ? 8 : 1;
 // A light's way starts this many voxels off the surface, beyond the zeros that points in matter have.
 const float MESO_LIFT_VOXELS = 1.5;
@@ -20,8 +21,8 @@ vec3 inTileWidths(vec3 way)
   return way * vec3(1.0, 1.0, mesoVolumeDepth);
 }
 
-// Whether the table says that matter is met before a way's end; part: of the way.
-bool lookUp(vec3 from, vec3 span, out float part, out int fetches)
+// Whether the table says that matter is met before a way's end, in so many look-ups at most; part: of the way.
+bool lookUp(vec3 from, vec3 span, int most, out float part, out int fetches)
 {
   vec3 way = inTileWidths(span);
   float size = length(way);
@@ -33,7 +34,7 @@ bool lookUp(vec3 from, vec3 span, out float part, out int fetches)
   }
   float surface = MESO_SURFACE_VOXELS * voxelSide(mesoVolumeDepth);
   bool found = false;
-  for (int look = 0; look < MESO_LOOKUPS && part < 1.0 && !found; ++look)
+  for (int look = 0; look < most && part < 1.0 && !found; ++look)
   {
     part += gdmDistance(from + part * span, way / size) / size;
     float above = sampleVolume(from + part * span);
@@ -61,7 +62,7 @@ VolumeHit meetMatter(vec3 from, vec3 span)
   if (!hit.Found)
   {
     int fetches;
-    hit.Found = lookUp(from, span, hit.Part, fetches);
+    hit.Found = lookUp(from, span, MESO_LOOKUPS, hit.Part, fetches);
     hit.Fetches += fetches;
     hit.Steps = fetches;
   }
@@ -94,7 +95,7 @@ bool matterBlocks(vec3 from, vec3 span, out int fetches)
   float part;
   int looked = 0;
   bool blocks =
-    sampleVolume(start) <= 0.0 || lookUp(start, wayInShell(start, span), part, looked);
+    sampleVolume(start) <= 0.0 || lookUp(start, wayInShell(start, span), 1, part, looked);
   fetches += looked;
   return blocks;
 }
