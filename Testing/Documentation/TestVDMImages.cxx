@@ -79,6 +79,7 @@ TEST(VDMImages, OfAHeightFieldFromFourDirections)
   const auto map = MesoTestScene::Pattern("stone", Size, Size);
   const auto table = Bake(map, layout);
   std::vector<double> heights;
+  heights.reserve(Size * Size);
   for (int i = 0; i < Size * Size; ++i)
   {
     heights.push_back(map->GetScalarComponentAsDouble(i % Size, i / Size, 0, 0));
@@ -90,6 +91,7 @@ TEST(VDMImages, OfAHeightFieldFromFourDirections)
   {
     const double polar = layout.PolarAt(direction.Polar);
     std::vector<double> distances;
+    distances.reserve(Size * Size);
     for (int i = 0; i < Size * Size; ++i)
     {
       distances.push_back(

@@ -228,6 +228,43 @@ TEST(VDM, MoreFactorsLeaveLess)
   EXPECT_LT(of8 * of8 - of16 * of16, 1.5 * expected);
 }
 
+TEST(VDM, ErrorsOfFactorsAreThoseOfTheirMatrix)
+{
+  // Of each rank, of distances and of largest angles that are scaled to the distances' root mean square.
+  const MesoVDMLayout layout = SmallLayout(8, 6);
+  vtkSmartPointer<vtkImageData> map = RandomMap(8, 6);
+  vtkSmartPointer<vtkImageData> table = Bake(map, layout);
+  vtkSmartPointer<vtkImageData> factored = Bake(map, layout, 4);
+  vtkDataArray* numbers = table->GetPointData()->GetArray("VDM");
+  vtkDataArray* angles = table->GetPointData()->GetArray("MVM");
+  const auto squares = [&](int rank, bool ofAngles)
+  {
+    vtkDataArray* array = ofAngles ? angles : numbers;
+    double sum = 0.;
+    for (vtkIdType tuple = 0; tuple < array->GetNumberOfTuples(); ++tuple)
+    {
+      for (int column = 0; column < array->GetNumberOfComponents(); ++column)
+      {
+        const double number = array->GetComponent(tuple, column) / 65535.;
+        const double error = (ofAngles ? 1. - number : number) -
+          FactoredAt(factored, tuple, column, rank, ofAngles ? "MVMFunctions" : "VDMFunctions");
+        sum += error * error;
+      }
+    }
+    return sum;
+  };
+  const double scale =
+    squares(0, false) / layout.DistanceColumns() / (squares(0, true) / layout.Curvatures);
+  for (int rank = 1; rank <= 4; ++rank)
+  {
+    const double square = (squares(rank, false) + scale * squares(rank, true)) /
+      (double(layout.Rows()) * layout.Columns());
+    EXPECT_NEAR(factored->GetFieldData()->GetArray("Errors")->GetTuple1(rank - 1),
+      std::sqrt(square), 0.01 * std::sqrt(square))
+      << rank;
+  }
+}
+
 TEST(VDM, FactorsOfAConstantTableAreIt)
 {
   const MesoVDMLayout layout = SmallLayout(4, 4);
