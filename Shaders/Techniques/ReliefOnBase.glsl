@@ -119,7 +119,7 @@ void moveOntoBase(BaseRay ray, float stepLength, inout float time, inout HeightH
     return;
   }
   float clearance = (1.0 - surfaceHeight(state.MapCoord)) - state.Depth;
-  float closing = dot(surfaceFacet(state.MapCoord), state.Rate.xy) + state.Rate.z;
+  float closing = dot(searchedSlope(state.MapCoord), state.Rate.xy) + state.Rate.z;
   float further = closing > 0.0 ? clamp(clearance / closing, -stepLength, stepLength) : 0.0;
   vec2 map = state.MapCoord + further * state.Rate.xy;
   float depth = state.Depth + further * state.Rate.z;
