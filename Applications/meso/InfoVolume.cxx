@@ -37,7 +37,7 @@ bool IsVolume(const std::string& fileName)
   }
   if (extension == ".tif" || extension == ".tiff")
   {
-    return MesoImageInput(fileName).CountImages() > 1;
+    return MesoImageInput(fileName).CountImages(1) > 1;
   }
   const auto& volumes = MesoVolumeExtensions();
   return std::find(volumes.begin(), volumes.end(), extension) != volumes.end();

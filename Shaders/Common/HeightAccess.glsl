@@ -5,7 +5,8 @@
 uniform sampler2D mesoHeightMap;
 
 #ifdef MESO_FILTER
-float mesoLevel = 0.0; // of the pyramid; 0 is the map itself
+int mesoSearchedLevel = 0;   // of the pyramid, whose heights rays meet; 0 is the map itself
+float mesoShadedLevel = 0.0; // and whose slopes are shaded, between two or one of them
 #endif
 
 // What searches look for: Common/HeightSurface.
@@ -60,13 +61,11 @@ float splineSample(vec2 uv)
 float sampleHeight(vec2 uv)
 {
 #if defined(MESO_BICUBIC) && defined(MESO_FILTER)
-  return mesoLevel >= 1.0
-    ? filteredHeight(uv, mesoLevel)
-    : mix(splineSample(uv), filteredHeight(uv, 1.0), mesoLevel);
+  return mesoSearchedLevel > 0 ? filteredHeight(uv, float(mesoSearchedLevel)) : splineSample(uv);
 #elif defined(MESO_BICUBIC)
   return splineSample(uv);
 #elif defined(MESO_FILTER)
-  return filteredHeight(uv, mesoLevel);
+  return filteredHeight(uv, float(mesoSearchedLevel));
 #else
   return filteredHeight(uv, 0.0);
 #endif

@@ -1,31 +1,56 @@
 // The surface that the relief techniques draw of a height map. Stands on Kernels/HeightBilinear or
-// Kernels/HeightBicubic and, with MESO_FILTER, on Common/HeightLevels.
-//   MESO_FILTER   where texels are smaller than pixels it is that of a level of the map's pyramid; from
-//                 the map itself to its first level it goes over step by step
-//   MESO_CONE_LEVELS   the levels are those of Kernels/HeightLevels, exactly
+// Kernels/HeightBicubic and, with MESO_FILTER, on Common/HeightLevels and Kernels/LevelChoice.
+//   MESO_FILTER   where texels are smaller than pixels, rays meet the heights of a level of the map's pyramid,
+//                 and the slopes of a level are shaded, which need not be the same one
+//   MESO_CONE_LEVELS   the levels that rays meet are those of Kernels/HeightLevels, exactly
 
 // What searches look for.
 float surfaceHeight(vec2 uv)
 {
 #if defined(MESO_CONE_LEVELS)
-  return heightAtLevel(uv, mesoLevel);
+  return heightOfLevel(uv, mesoSearchedLevel);
 #elif defined(MESO_FILTER)
   // All at once, as a branch costs both sides on some devices; the map is read at its corner where it does not
   // count.
-  float ofMap = mapHeight(mesoLevel < 1.0 ? uv : vec2(0.0));
-  return mix(ofMap, filteredHeight(uv, max(mesoLevel, 1.0)), min(mesoLevel, 1.0));
+  bool isMap = mesoSearchedLevel == 0;
+  float ofMap = mapHeight(isMap ? uv : vec2(0.0));
+  float ofLevel = filteredHeight(uv, float(max(mesoSearchedLevel, 1)));
+  return isMap ? ofMap : ofLevel;
 #else
   return mapHeight(uv);
 #endif
 }
 
-// dh/du, dh/dv: of the surface itself, or of the shading normal.
+// dh/du, dh/dv of what searches look for.
+vec2 searchedSlope(vec2 uv)
+{
+#ifdef MESO_FILTER
+  bool isMap = mesoSearchedLevel == 0;
+  vec2 ofMap = mapFacet(isMap ? uv : vec2(0.0));
+  vec2 ofLevel = gradientOfLevel(uv, float(max(mesoSearchedLevel, 1)));
+  return isMap ? ofMap : ofLevel;
+#else
+  return mapFacet(uv);
+#endif
+}
+
+// A texel of it, in map coordinates.
+vec2 searchedTexel()
+{
+#ifdef MESO_FILTER
+  return 1.0 / vec2(mapSize() >> mesoSearchedLevel);
+#else
+  return 1.0 / vec2(mapSize());
+#endif
+}
+
+// dh/du, dh/dv that are shaded: of the facet, or of the shading normal.
 vec2 surfaceSlope(vec2 uv, bool ofFacet)
 {
 #ifdef MESO_FILTER
-  vec2 place = mesoLevel < 1.0 ? uv : vec2(0.0);
+  vec2 place = mesoShadedLevel < 1.0 ? uv : vec2(0.0);
   vec2 ofMap = ofFacet ? mapFacet(place) : mapGradient(place);
-  return mix(ofMap, gradientOfLevel(uv, max(mesoLevel, 1.0)), min(mesoLevel, 1.0));
+  return mix(ofMap, gradientOfLevel(uv, max(mesoShadedLevel, 1.0)), min(mesoShadedLevel, 1.0));
 #else
   return ofFacet ? mapFacet(uv) : mapGradient(uv);
 #endif
@@ -42,27 +67,18 @@ vec2 surfaceFacet(vec2 uv)
 }
 
 #ifdef MESO_FILTER
-uniform vec2 mesoRootMeanSquareSlope; // of the map, along u and v: height per map coordinate
+uniform vec2 mesoSlopesLost[ComparedLevels]; // as Kernels/LevelChoice has them
+uniform int mesoLastLevel;                   // of the pyramid
 
-// How far a relief may be averaged, 1 to 0: of steep walls one sees the front and not the back, so that
-// their mean is another picture.
-float gentleness(MesoFragment f)
-{
-  vec2 slopes = length(f.PerDepth) * mesoRootMeanSquareSlope /
-    max(vec2(length(f.PerMapU), length(f.PerMapV)), 1.0e-30);
-  return 1.0 - smoothstep(0.75, 1.5, length(slopes));
-}
-
-// The level to draw, for the steps of the base mesh's map coordinate from a pixel to its neighbours: that
-// whose texels are half as large as pixels, by their areas; 0 where the map's own are larger than that.
-float levelOfPixel(MesoFragment f, vec2 mapDx, vec2 mapDy)
+// For the steps of the base mesh's map coordinate from a pixel to its neighbours.
+void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
 {
   vec2 size = vec2(mapSize());
-  float texels = abs(mapDx.x * mapDy.y - mapDx.y * mapDy.x) * size.x * size.y;
-  float level = gentleness(f) * (0.5 * log2(max(texels, 4.0)) - 1.0);
-#ifdef MESO_CONE_LEVELS
-  level = min(level, float(mesoLastLevel));
-#endif
-  return level < 30.0 ? level : 0.0; // else not a number: there is no map
+  vec2 perLength = dot(f.PerDepth, f.PerDepth) /
+    max(vec2(dot(f.PerMapU, f.PerMapU), dot(f.PerMapV, f.PerMapV)), 1.0e-30);
+  PixelLevels levels =
+    levelsOfPixel(mapDx * size, mapDy * size, mesoSlopesLost, perLength, mesoLastLevel);
+  mesoSearchedLevel = levels.Searched;
+  mesoShadedLevel = levels.Shaded;
 }
 #endif

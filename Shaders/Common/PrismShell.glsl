@@ -1,14 +1,24 @@
 // The contract of a technique for those that draw a shell of prisms: one fragment for each stretch of the
 // ray in the shell, where it comes in by a face that looks to the eye. From there it is followed from prism to prism.
-// The way through each is taken as straight in texture space, or cut into several straight pieces
-// (Wang2004, section 3.2). Stands on Common/PrismMatter. The technique itself defines the function that is declared here.
-//   MESO_SEGMENTS  straight pieces of a ray's way through a prism
+// Stands on Common/PrismMatter. The technique, or Common/PrismPieces for it, defines what is declared here.
 
-// The first meeting with matter of a straight way in texture space, part in [0, 1]; at part 0 where it
-// starts in matter.
-VolumeHit meetMatter(vec3 from, vec3 span);
-// The same meeting, as near as the technique can say. All that is done once, at the end, is kept out of the loop
-// over prisms: devices that run several pixels as one do there what one of them does for all.
+// A piece of a ray's way, straight in texture space, in mesoPrism, and what is met on it.
+struct ShellPiece
+{
+  float Start; // along the ray
+  float End;
+  vec3 Before; // (b1, b2, z)
+  vec3 After;
+  bool First; // of its prism
+  VolumeHit Met;
+};
+
+// Follows a stretch of a ray in mesoPrism, from piece.After, until matter is met.
+void followInPrism(
+  PrismSpan span, vec3 origin, vec3 direction, inout ShellPiece piece, inout MesoSurfaceHit hit);
+// What was met on a straight way in texture space, as near as the technique can say. All that is done once, at
+// the end, is kept out of the loop over prisms: devices that run several pixels as one do there what one of them
+// does for all.
 VolumeHit refineMeeting(vec3 from, vec3 span, VolumeHit hit);
 
 // Prisms that a ray is followed through before it is given up, and those of them that it has nothing of, as
@@ -46,36 +56,6 @@ void takeNormals(MesoFragment f, PrismSpan span, bool atStart, inout MesoSurface
   else
   {
     takeMatterNormals(f, hit);
-  }
-}
-
-// A piece of a ray's way, straight in texture space, in mesoPrism, and what is met on it.
-struct ShellPiece
-{
-  float Start; // along the ray
-  float End;
-  vec3 Before; // (b1, b2, z)
-  vec3 After;
-  bool First; // of its prism
-  VolumeHit Met;
-};
-
-// Follows a stretch of a ray in mesoPrism, from piece.After, until matter is met.
-void followInPrism(
-  PrismSpan span, vec3 origin, vec3 direction, inout ShellPiece piece, inout MesoSurfaceHit hit)
-{
-  piece.End = span.Enter;
-  for (int i = 1; i <= MESO_SEGMENTS && !piece.Met.Found; ++i)
-  {
-    piece.First = i == 1;
-    piece.Start = piece.End;
-    piece.Before = piece.After;
-    piece.End = mix(span.Enter, span.Leave, float(i) / float(MESO_SEGMENTS));
-    piece.After = prismPlace(mesoPrism, origin + piece.End * direction, piece.Before);
-    piece.Met = meetMatter(
-      chartPlace(mesoChart, piece.Before), chartWay(mesoChart, piece.After - piece.Before));
-    hit.Fetches += piece.Met.Fetches;
-    hit.Iterations += piece.Met.Steps;
   }
 }
 

@@ -2,21 +2,16 @@
 //   MESO_SEARCH  which: as MesoSearch counts
 //   MESO_LINEAR_STEPS, MESO_REFINING_STEPS  its steps
 //   MESO_FILTER  where texels are smaller than pixels, the surface is that of a level of the map's pyramid,
-//                by equal steps, two to a texel of the level
-//   MESO_CONE_LEVELS  levels have cones, and are searched as the map is
+//                by no more steps than two a texel of the level
 
-#if defined(MESO_FILTER) && !defined(MESO_CONE_LEVELS)
-#define MESO_STEPS_OF_LEVEL
-#endif
-
-// Of equal steps, over the level that is looked for.
-int equalSteps(HeightPath path)
+// Steps of a search over the level that is looked for.
+int searchSteps(HeightPath path)
 {
   int most = MESO_LINEAR_STEPS;
-#ifdef MESO_STEPS_OF_LEVEL
-  vec2 span = abs(pathMap(path, 1.0) - pathMap(path, 0.0)) * vec2(mapSize()) * exp2(-mesoLevel);
+#ifdef MESO_FILTER
+  vec2 span = abs(pathMap(path, 1.0) - pathMap(path, 0.0)) * vec2(mapSize() >> mesoSearchedLevel);
   float ofLevel = clamp(2.0 * (span.x + span.y) + 4.0, 4.0, float(MESO_LINEAR_STEPS));
-  most = mesoLevel > 0.0 ? int(ofLevel) : most;
+  most = mesoSearchedLevel > 0 ? int(ofLevel) : most;
 #endif
   return pathSteps(path, most);
 }
@@ -24,20 +19,14 @@ int equalSteps(HeightPath path)
 // First meeting of the path with the relief.
 HeightHit searchRelief(HeightPath path)
 {
-#if defined(MESO_STEPS_OF_LEVEL) && MESO_SEARCH != 0
-  if (mesoLevel > 0.0)
-  {
-    return searchLinearBinary(path, equalSteps(path), MESO_REFINING_STEPS);
-  }
-#endif
 #if MESO_SEARCH == 3
   return searchCertified(path);
 #elif MESO_SEARCH == 2
-  return searchCone(path, pathSteps(path, MESO_LINEAR_STEPS), MESO_REFINING_STEPS);
+  return searchCone(path, searchSteps(path), MESO_REFINING_STEPS);
 #elif MESO_SEARCH == 1
-  return searchLinearSecant(path, pathSteps(path, MESO_LINEAR_STEPS), MESO_REFINING_STEPS);
+  return searchLinearSecant(path, searchSteps(path), MESO_REFINING_STEPS);
 #else
-  return searchLinearBinary(path, equalSteps(path), MESO_REFINING_STEPS);
+  return searchLinearBinary(path, searchSteps(path), MESO_REFINING_STEPS);
 #endif
 }
 
@@ -71,18 +60,12 @@ HeightHit searchKept(MesoFragment f, HeightPath path, float rayLength)
 // 1.0 where the relief blocks a path out of it, else 0.0.
 float reliefOccludes(HeightPath path, out int fetches)
 {
-#if defined(MESO_STEPS_OF_LEVEL) && MESO_SEARCH > 1
-  if (mesoLevel > 0.0)
-  {
-    return occludedLinear(path, equalSteps(path), fetches);
-  }
-#endif
 #if MESO_SEARCH == 3
   return occludedCertified(path, fetches);
 #elif MESO_SEARCH == 2
-  return occludedCone(path, pathSteps(path, MESO_LINEAR_STEPS), fetches);
+  return occludedCone(path, searchSteps(path), fetches);
 #else
-  return occludedLinear(path, equalSteps(path), fetches);
+  return occludedLinear(path, searchSteps(path), fetches);
 #endif
 }
 

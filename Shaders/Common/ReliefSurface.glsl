@@ -16,9 +16,16 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
 // float no longer tells neighbouring texels apart: the base itself is drawn.
 const float MESO_MAX_TILES = 1.0e5;
 
+#ifdef MESO_SELF_SHADOW
+vec3 mesoMetNormalVC; // unit, of the surface that the view ray met: the facet's, or that of the level searched
+#endif
+
 MesoSurfaceHit traceSurface(MesoFragment f)
 {
   MesoSurfaceHit hit = baseSurface(f);
+#ifdef MESO_SELF_SHADOW
+  mesoMetNormalVC = hit.FacetNormalVC;
+#endif
   if (seenFromBehind(f))
   {
     return hit;
@@ -42,6 +49,11 @@ MesoSurfaceHit traceSurface(MesoFragment f)
   hit.FacetNormalVC = reliefNormal(f, hit, surfaceFacet(hit.MapCoord));
 #endif
 #ifdef MESO_SELF_SHADOW
+#ifdef MESO_FILTER
+  mesoMetNormalVC = reliefNormal(f, hit, searchedSlope(hit.MapCoord));
+#else
+  mesoMetNormalVC = hit.FacetNormalVC;
+#endif
   hit.Fetches += 1; // the facet's; AOVs alone do not count as cost
   hit.TexelReads += 4;
 #endif
@@ -57,12 +69,12 @@ float blockedFraction(
     return 1.0;
   }
 #ifdef MESO_SELF_SHADOW
-  // The shadow ray starts 1e-3 texel off the surface along the facet's normal.
-  vec2 texel = vec2(length(f.PerMapU), length(f.PerMapV)) / vec2(mapSize());
+  // The shadow ray starts 1e-3 texel off the surface that the view ray met.
+  vec2 texel = vec2(length(f.PerMapU), length(f.PerMapV)) * searchedTexel();
   vec3 travel;
   vec3 lift;
   if (!seenFromBehind(f) && directionInTS(f, lightOutVC, travel) &&
-    directionInTS(f, 1.0e-3 * min(texel.x, texel.y) * hit.FacetNormalVC, lift))
+    directionInTS(f, 1.0e-3 * min(texel.x, texel.y) * mesoMetNormalVC, lift))
   {
     return reliefBlocks(f, hit, travel, lift, lightDistance, fetches);
   }

@@ -14,8 +14,7 @@
   mesoFacetVC = facetOf(mesoFragment.PositionVC, mesoFragment.NormalVC);
 #endif
 #ifdef MESO_FILTER
-  mesoLevel =
-    levelOfPixel(mesoFragment, dFdx(mesoFragment.MapCoord), dFdy(mesoFragment.MapCoord));
+  chooseLevels(mesoFragment, dFdx(mesoFragment.MapCoord), dFdy(mesoFragment.MapCoord));
 #endif
   mesoHit = traceSurface(mesoFragment);
 #ifdef MESO_DIFFERENTIAL

@@ -1,6 +1,5 @@
 // The only functions that know a VDM table's samplers. What they give is interpolated over all axes: map
-// coordinate, azimuth in turns, and places among the table's polar angles and curvatures, from 0 to their
-// number - 1.
+// coordinate, direction, and the place among the table's curvatures, from 0 to their number - 1.
 //   MESO_VDM_AZIMUTHS, MESO_VDM_POLARS, MESO_VDM_CURVATURES   the table's size
 //   MESO_VDM_STORES, MESO_VDM_NODES   as the constants of Kernels/VDMTable
 //   MESO_VDM_GROUPS, MESO_MVM_GROUPS  fours of factors, 1 to 3; undefined: the table itself
@@ -27,7 +26,7 @@ VDMLayout vdmTable()
 
 #ifdef MESO_VDM_GROUPS
 // Four factors a texture. A weight is the texture's number and what it is shifted by; the functions are
-// scaled to that.
+// scaled to that, and lie over the tangent of half the polar angle.
 uniform sampler3D mesoVDMWeights0;
 uniform sampler2D mesoVDMFunctions0;
 uniform sampler2D mesoMVMFunctions0;
@@ -50,9 +49,9 @@ vec3 weightPlace(vec2 mapCoord, float turns)
   return vec3(mapCoord, turns + 0.5 / float(MESO_VDM_AZIMUTHS));
 }
 
-vec2 functionPlace(float polar, float curvature)
+vec2 functionPlace(float halfTangent, float curvature)
 {
-  return (vec2(polar, curvature) + 0.5) / vec2(MESO_VDM_POLARS, MESO_VDM_CURVATURES);
+  return vec2(halfTangent, (curvature + 0.5) / float(MESO_VDM_CURVATURES));
 }
 
 vec2 angleFunctionPlace(float curvature)
@@ -60,10 +59,10 @@ vec2 angleFunctionPlace(float curvature)
   return vec2((curvature + 0.5) / float(MESO_VDM_CURVATURES), 0.5);
 }
 
-float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, inout int fetches)
+float sampleVDM(vec2 mapCoord, VDMDirection ray, float curvature, inout int fetches)
 {
-  vec3 weight = weightPlace(mapCoord, turns);
-  vec2 place = functionPlace(polar, curvature);
+  vec3 weight = weightPlace(mapCoord, ray.Turns);
+  vec2 place = functionPlace(ray.HalfTangent, curvature);
   float stored = dot(textureLod(mesoVDMWeights0, weight, 0.0) + mesoVDMShift0,
     textureLod(mesoVDMFunctions0, place, 0.0));
 #if MESO_VDM_GROUPS > 1
@@ -127,13 +126,14 @@ float sampleFours(sampler3D slices, vec2 mapCoord, float turns, int first, float
   return mix(before, four[high - high / 4 * 4], place - float(low));
 }
 
-float sampleVDM(vec2 mapCoord, float turns, float polar, float curvature, inout int fetches)
+float sampleVDM(vec2 mapCoord, VDMDirection ray, float curvature, inout int fetches)
 {
+  float polar = vdmPolarPlace(vdmTable(), ray.Polar);
   int low = min(int(curvature), max(MESO_VDM_CURVATURES - 2, 0));
   int high = min(low + 1, MESO_VDM_CURVATURES - 1);
-  return mix(sampleFours(mesoVDMTable, mapCoord, turns, low * MESO_VDM_FOURS, polar, MESO_VDM_POLARS,
+  return mix(sampleFours(mesoVDMTable, mapCoord, ray.Turns, low * MESO_VDM_FOURS, polar, MESO_VDM_POLARS,
                fetches),
-    sampleFours(mesoVDMTable, mapCoord, turns, high * MESO_VDM_FOURS, polar, MESO_VDM_POLARS,
+    sampleFours(mesoVDMTable, mapCoord, ray.Turns, high * MESO_VDM_FOURS, polar, MESO_VDM_POLARS,
       fetches),
     curvature - float(low));
 }

@@ -3,9 +3,6 @@
 // bilinear patch's height is quadratic, the path's depth is quadratic, so their difference has its
 // roots in closed form. No patch is left out: none is smaller than a step.
 //
-// Between two levels of the map's pyramid the surface is the sum of both, each with its weight, and so are
-// cones and clearances. The path is then cut where it leaves a patch of either.
-//
 // Needs HeightField.glsl
 // Needs HeightLevels.glsl
 // Needs HeightPath.glsl
@@ -86,101 +83,7 @@ ivec2 laterPatch(TexelPath path, ivec2 cell, PatchExit way, float part)
   return part < way.Part ? cell : next;
 }
 
-// First part at which a path near the origin meets the relief, or, with `inside`, comes below its surface; no
-// hit where it does not before its end. The surface is that of level `lower`, blended with the next one, which
-// has some weight.
-HeightHit searchLevels(HeightPath near, bool inside, int lower, float weight)
-{
-  HeightHit search = noHit();
-  bool blended = weight > 0.0;
-  TexelPath texels = texelPath(near, lower);
-  TexelPath coarse = texelPath(near, blended ? lower + 1 : lower);
-  float span = abs(texels.Span.x) + abs(texels.Span.y) + 4.0;
-  if (blended)
-  {
-    span += abs(coarse.Span.x) + abs(coarse.Span.y) + 4.0;
-  }
-  int most = int(min(span, float(MostPatches)));
-  ivec2 cell = patchAtPart(texels, 0.0);
-  ivec2 coarseCell = patchAtPart(coarse, 0.0);
-  float part = 0.0;
-  int patches = 0;
-  while (!search.Hit && part < 1.0 && search.Iterations < most)
-  {
-    // By cones to the next patch that the path may meet.
-    bool reached = false;
-    float end = part;
-    PatchExit way;
-    PatchExit coarseWay;
-    while (!reached && part < 1.0 && search.Iterations < most)
-    {
-      search.Iterations += 1;
-      vec2 cone = coneOfPatch(texels, cell);
-      vec2 ahead = coneAhead(texels, cell, cone, part);
-      way = patchExit(texels, cell, part);
-      end = way.Part;
-      if (blended)
-      {
-        vec2 coarseCone = coneOfPatch(coarse, coarseCell);
-        ahead = mix(ahead, coneAhead(coarse, coarseCell, coarseCone, part), weight);
-        cone.x = mix(cone.x, coarseCone.x, weight);
-        coarseWay = patchExit(coarse, coarseCell, part);
-        end = min(end, coarseWay.Part);
-      }
-      float time = end - part;
-      float deepest = max(texelPathDepth(texels, part), texelPathDepth(texels, end)) +
-        0.25 * time * time * max(texels.Sag, 0.0);
-      reached = !(deepest <= cone.x);
-      if (!reached)
-      {
-        float free = min(part + freePart(texels, ahead, part), 1.0);
-        part = max(free, end);
-        cell = laterPatch(texels, cell, way, part);
-        if (blended)
-        {
-          coarseCell = laterPatch(coarse, coarseCell, coarseWay, part);
-        }
-      }
-    }
-    if (reached)
-    {
-      PatchClearance clearance = clearanceOverPatch(texels, cell, part);
-      if (blended)
-      {
-        PatchClearance coarser = clearanceOverPatch(coarse, coarseCell, part);
-        clearance.c0 = mix(clearance.c0, coarser.c0, weight);
-        clearance.c1 = mix(clearance.c1, coarser.c1, weight);
-        clearance.c2 = mix(clearance.c2, coarser.c2, weight);
-      }
-      float root = firstRoot(max(clearance.c0, 0.0), clearance.c1, clearance.c2);
-      bool within = inside ? clearance.c0 < 0.0 : clearance.c0 <= 0.0;
-      patches += 1;
-      search.Hit = within || root <= end - part;
-      if (search.Hit)
-      {
-        part = within ? part : part + root;
-      }
-      else
-      {
-        part = end;
-        cell = laterPatch(texels, cell, way, part);
-        if (blended)
-        {
-          coarseCell = laterPatch(coarse, coarseCell, coarseWay, part);
-        }
-      }
-    }
-  }
-  int levels = blended ? 2 : 1;
-  search.Hit = search.Hit || part < 1.0; // given up: said to meet the relief where it is
-  search.Part = part;
-  search.Fetches = levels * (search.Iterations + patches);
-  search.TexelReads = levels * (search.Iterations + 4 * patches);
-  return search;
-}
-
-// First part at which a path meets the surface that is looked for, or, with `inside`, comes below it. The map
-// itself is searched apart, without the blending of levels in each step.
+// First part at which a path meets the level that is looked for, or, with `inside`, comes below it.
 HeightHit searchPatches(HeightPath path, bool inside)
 {
   HeightHit search = noHit();
@@ -189,16 +92,55 @@ HeightHit searchPatches(HeightPath path, bool inside)
     return search;
   }
   HeightPath near = pathNearOrigin(path);
-  float level = surfaceLevel();
-  if (level > 0.0)
+  TexelPath texels = texelPath(near, surfaceLevel());
+  float span = abs(texels.Span.x) + abs(texels.Span.y) + 4.0;
+  int most = int(min(span, float(MostPatches)));
+  ivec2 cell = patchAtPart(texels, 0.0);
+  float part = 0.0;
+  int patches = 0;
+  while (!search.Hit && part < 1.0 && search.Iterations < most)
   {
-    int lower = lowerLevel(level);
-    search = searchLevels(near, inside, lower, level - float(lower));
+    // By cones to the next patch that the path may meet.
+    bool reached = false;
+    PatchExit way;
+    while (!reached && part < 1.0 && search.Iterations < most)
+    {
+      search.Iterations += 1;
+      vec2 cone = coneOfPatch(texels, cell);
+      way = patchExit(texels, cell, part);
+      float time = way.Part - part;
+      float deepest = max(texelPathDepth(texels, part), texelPathDepth(texels, way.Part)) +
+        0.25 * time * time * max(texels.Sag, 0.0);
+      reached = !(deepest <= cone.x);
+      if (!reached)
+      {
+        float free = freePart(texels, coneAhead(texels, cell, cone, part), part);
+        part = max(min(part + free, 1.0), way.Part);
+        cell = laterPatch(texels, cell, way, part);
+      }
+    }
+    if (reached)
+    {
+      PatchClearance clearance = clearanceOverPatch(texels, cell, part);
+      float root = firstRoot(max(clearance.c0, 0.0), clearance.c1, clearance.c2);
+      bool within = inside ? clearance.c0 < 0.0 : clearance.c0 <= 0.0;
+      patches += 1;
+      search.Hit = within || root <= way.Part - part;
+      if (search.Hit)
+      {
+        part = within ? part : part + root;
+      }
+      else
+      {
+        part = way.Part;
+        cell = laterPatch(texels, cell, way, part);
+      }
+    }
   }
-  else
-  {
-    search = searchLevels(near, inside, 0, 0.0);
-  }
+  search.Hit = search.Hit || part < 1.0; // given up: said to meet the relief where it is
+  search.Part = part;
+  search.Fetches = search.Iterations + patches;
+  search.TexelReads = search.Iterations + 4 * patches;
   if (!search.Hit)
   {
     // The path's end is looked at by the numbers that say where it is, without rounding on the way.

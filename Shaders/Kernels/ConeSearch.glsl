@@ -27,7 +27,7 @@ HeightBracket bracketByCones(HeightPath near, int mostSteps, inout HeightHit sea
   search.Fetches += 1;
   search.TexelReads += 4;
   search.Hit = bracket.ClearanceAbove <= 0.0;
-  TexelPath texels = texelPath(near, 0);
+  TexelPath texels = texelPath(near, surfaceLevel());
   float equalStep = 1.0 / float(max(mostSteps, 1));
   float part = 0.0;
   while (!search.Hit && part < 1.0)
@@ -86,7 +86,7 @@ float occludedCone(HeightPath path, int mostSteps, out int fetches)
     return 0.0;
   }
   HeightPath near = pathNearOrigin(path);
-  TexelPath texels = texelPath(near, 0);
+  TexelPath texels = texelPath(near, surfaceLevel());
   float equalStep = 1.0 / float(max(mostSteps, 1));
   float part = 0.0;
   float blocked = 0.0;

@@ -1,14 +1,13 @@
 // A height map's pyramid between its texels. Level 0 is the map; each level has half the texels of the
 // one before along u and v, rounded down, and a texel is the mean of what it covers. A level is bilinear
-// between its own texel centres, and between two levels their surfaces are blended.
+// between its own texel centres.
 //
 // Needs HeightField.glsl
 //
 // Accessors, defined before this file:
 //   float fetchLevel(ivec2 texel, int level)  height of a texel inside a level
 //   ivec2 levelSize(int level)                its width and height in texels, at least 1
-//   float surfaceLevel()                      the level that searches look for, between two or one of
-//                                             them; 0 to the last
+//   int surfaceLevel()                        the level that searches look for, 0 to the last
 
 // Height of a near texel of a level, see wrapNearTexel.
 float nearHeightOfLevel(int column, int row, int level)
@@ -31,22 +30,4 @@ float heightOfLevel(vec2 uv, int level)
   float below = height00 + weight.x * (height10 - height00);
   float above = height01 + weight.x * (height11 - height01);
   return below + weight.y * (above - below);
-}
-
-// The lower of the two levels that one lies between, and the other's weight, in (0,1] above the map.
-int lowerLevel(float level)
-{
-  return max(int(ceil(level)) - 1, 0);
-}
-
-float heightAtLevel(vec2 uv, float level)
-{
-  int lower = lowerLevel(level);
-  float weight = level - float(lower);
-  float height = heightOfLevel(uv, lower);
-  if (weight > 0.0)
-  {
-    height += weight * (heightOfLevel(uv, lower + 1) - height);
-  }
-  return height;
 }

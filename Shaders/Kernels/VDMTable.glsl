@@ -55,6 +55,7 @@ struct VDMDirection
   float Sine;    // of the polar angle
   float Cosine;  // at least VDMLeastCosine
   float Polar;
+  float HalfTangent; // of half the polar angle, in [0, 1]: nearly as even, without an arc tangent
   float Length;  // of the direction that came in, in tiles
 };
 
@@ -70,6 +71,7 @@ bool vdmDirection(vec3 travel, float depth, out VDMDirection direction)
   direction.Sine = 0.0;
   direction.Cosine = 1.0;
   direction.Polar = 0.0;
+  direction.HalfTangent = 0.0;
   if (!(scaled.z > 0.0) || !(direction.Length > 0.0))
   {
     return false;
@@ -77,6 +79,7 @@ bool vdmDirection(vec3 travel, float depth, out VDMDirection direction)
   direction.Cosine = max(scaled.z / direction.Length, VDMLeastCosine);
   direction.Sine = over / direction.Length;
   direction.Polar = min(atan(over, scaled.z), VDMRightAngle - VDMLeastCosine);
+  direction.HalfTangent = direction.Sine / (1.0 + direction.Cosine);
   if (over > 0.0)
   {
     direction.Over = vec2(scaled.x, scaled.y) / over;
@@ -143,12 +146,6 @@ float vdmPolarPlace(VDMLayout table, float polar)
   return clamp(vdmOpenPolarPlace(table, polar), 0.0, float(table.Polars - 1));
 }
 
-// How far a polar angle is from the first, 0, to the normal, 1.
-float vdmSteeper(VDMLayout table, float polar)
-{
-  return clamp(-2.0 * vdmOpenPolarPlace(table, polar), 0.0, 1.0);
-}
-
 float vdmPolarAt(VDMLayout table, float place)
 {
   if (table.Nodes == VDMNodesEdges)
@@ -158,6 +155,13 @@ float vdmPolarAt(VDMLayout table, float place)
   float part = (place + 0.5) / float(table.Polars);
   float left = table.Nodes == VDMNodesGraded ? pow(1.0 - part, 1.25) : 1.0 - part;
   return (1.0 - left) * VDMRightAngle;
+}
+
+// How far a polar angle is from the first, 0, to the normal, 1.
+float vdmSteeper(VDMLayout table, float halfTangent)
+{
+  float first = tan(0.5 * vdmPolarAt(table, 0.0));
+  return first > 0.0 ? clamp(1.0 - halfTangent / first, 0.0, 1.0) : 0.0;
 }
 
 // The point at an extended distance d = l / sin(polar). No quotient of near zeros: with

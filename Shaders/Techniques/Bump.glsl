@@ -3,7 +3,7 @@
 // central differences over one texel, or over one texel of the level of the map's pyramid whose texels
 // are as large as pixels. Stands on Common/ReliefFrame.
 //   MESO_HEIGHTS      there is a height map: Common/HeightAccess, Common/HeightLevels, Kernels/HeightField
-//   MESO_SELF_SHADOW  Techniques/Horizon says what blocks light
+// What blocks light: Common/HorizonLight.
 
 #ifdef MESO_HEIGHTS
 // The level whose texels are as large as this pixel's longer side on the map; 0 where they are larger.
@@ -33,10 +33,6 @@ vec2 filteredGradient(vec2 mapCoord, float level)
 #ifdef MESO_OCCLUSION
 void shiftByParallax(MesoFragment f, inout MesoSurfaceHit hit);
 #endif
-#ifdef MESO_SELF_SHADOW
-float horizonBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, out int fetches);
-#endif
-
 MesoSurfaceHit traceSurface(MesoFragment f)
 {
   MesoSurfaceHit hit = baseSurface(f);
@@ -66,21 +62,4 @@ MesoSurfaceHit traceSurface(MesoFragment f)
 #endif
 #endif
   return hit;
-}
-
-float blockedFraction(
-  MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
-{
-  fetches = 0;
-  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
-  {
-    return 1.0;
-  }
-#ifdef MESO_SELF_SHADOW
-  if (!seenFromBehind(f))
-  {
-    return horizonBlocks(f, hit, lightOutVC, fetches);
-  }
-#endif
-  return 0.0;
 }

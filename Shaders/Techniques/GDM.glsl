@@ -9,6 +9,9 @@
 
 // What the volume's distance is at most at the end of a look-up that met matter, in voxels.
 const float MESO_SURFACE_VOXELS = MESO_CORRECTIONS > 0 ? 0.5 : 1.5;
+// Look-ups of a way at most. Where one ends at nothing - before matter that the corrections do not reach, as where a
+// ray runs along it, or beside matter that it passes - the next begins. Without corrections the one says all.
+const int MESO_LOOKUPS = MESO_CORRECTIONS > 0 ? 8 : 1;
 // A light's way starts this many voxels off the surface, beyond the zeros that points in matter have.
 const float MESO_LIFT_VOXELS = 1.5;
 
@@ -18,29 +21,38 @@ vec3 inTileWidths(vec3 way)
 }
 
 // Whether the table says that matter is met before a way's end; part: of the way.
-bool lookUp(vec3 from, vec3 span, out float part)
+bool lookUp(vec3 from, vec3 span, out float part, out int fetches)
 {
   vec3 way = inTileWidths(span);
   float size = length(way);
   part = 0.0;
+  fetches = 0;
   if (!(size > 0.0))
   {
     return false;
   }
-  part = gdmDistance(from, way / size) / size;
-  for (int i = 0; i < MESO_CORRECTIONS && part < 1.0; ++i)
+  float surface = MESO_SURFACE_VOXELS * voxelSide(mesoVolumeDepth);
+  bool found = false;
+  for (int look = 0; look < MESO_LOOKUPS && part < 1.0 && !found; ++look)
   {
-    part = max(part + sampleVolume(from + part * span) / size, 0.0);
+    part += gdmDistance(from + part * span, way / size) / size;
+    float above = sampleVolume(from + part * span);
+    for (int i = 0; i < MESO_CORRECTIONS && part < 1.0; ++i)
+    {
+      part = max(part + above / size, 0.0);
+      above = sampleVolume(from + part * span);
+    }
+    found = part < 1.0 && above < surface;
+    fetches += 2 + MESO_CORRECTIONS;
   }
-  return part < 1.0 &&
-    sampleVolume(from + part * span) < MESO_SURFACE_VOXELS * voxelSide(mesoVolumeDepth);
+  return found;
 }
 
 VolumeHit meetMatter(vec3 from, vec3 span)
 {
   VolumeHit hit;
   hit.Part = 0.0;
-  hit.Steps = 1 + MESO_CORRECTIONS;
+  hit.Steps = 1;
   hit.Fetches = 1;
   hit.Outside = 0.0;
   hit.DistanceOutside = 0.0;
@@ -48,8 +60,10 @@ VolumeHit meetMatter(vec3 from, vec3 span)
   hit.Found = hit.DistanceAt <= 0.0;
   if (!hit.Found)
   {
-    hit.Found = lookUp(from, span, hit.Part);
-    hit.Fetches = 3 + MESO_CORRECTIONS;
+    int fetches;
+    hit.Found = lookUp(from, span, hit.Part, fetches);
+    hit.Fetches += fetches;
+    hit.Steps = fetches;
   }
   return hit;
 }
@@ -72,8 +86,15 @@ vec3 facetGradient(vec3 place)
 bool matterBlocks(vec3 from, vec3 span, out int fetches)
 {
   vec3 start = liftedOff(from, mesoVolumeDepth, MESO_LIFT_VOXELS);
-  fetches = 10 + MESO_CORRECTIONS;
+  fetches = 8;
+  if (start.z <= 0.0 || start.z >= 1.0)
+  {
+    return false;
+  }
   float part;
-  return start.z > 0.0 && start.z < 1.0 &&
-    (sampleVolume(start) <= 0.0 || lookUp(start, wayInShell(start, span), part));
+  int looked = 0;
+  bool blocks =
+    sampleVolume(start) <= 0.0 || lookUp(start, wayInShell(start, span), part, looked);
+  fetches += looked;
+  return blocks;
 }

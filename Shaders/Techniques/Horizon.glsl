@@ -1,6 +1,6 @@
 // What blocks light in horizon mapping: Max1988 (Documentation/Techniques/References.md). The table is over
 // the map, so that it holds on any chart: a light's direction is solved for steps over the map and in
-// depth, whose azimuth and slope are compared with the table's. Completes Techniques/Bump; stands on
+// depth, whose azimuth and slope are compared with the table's. Completes Common/HorizonLight; stands on
 // Common/ReliefFrame and Kernels/Horizon.
 
 uniform sampler3D mesoHorizonMap;  // a slice an azimuth: angles, radians

@@ -35,9 +35,8 @@ float mapRelief(vec2 mapCoord)
 // the map itself is the table.
 float lookUp(VDMLayout table, vec2 mapCoord, VDMDirection ray, float curvature, inout int fetches)
 {
-  float stored = sampleVDM(mapCoord, ray.Turns, vdmPolarPlace(table, ray.Polar),
-    vdmCurvaturePlace(table, curvature), fetches);
-  float steeper = vdmSteeper(table, ray.Polar);
+  float stored = sampleVDM(mapCoord, ray, vdmCurvaturePlace(table, curvature), fetches);
+  float steeper = vdmSteeper(table, ray.HalfTangent);
   if (steeper > 0.0)
   {
     VDMPoint below;
@@ -63,8 +62,9 @@ bool missesRelief(
 #else
   vec2 mapCoord = f.MapCoord;
 #endif
-  return ray.Polar > VDMRightAngle *
-      sampleMVM(mapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), fetches);
+  float largest = VDMRightAngle *
+    sampleMVM(mapCoord, ray.Turns, vdmCurvaturePlace(table, curvature), fetches);
+  return ray.Cosine < cos(largest);
 }
 
 bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
@@ -126,20 +126,21 @@ float shadowTolerance(MesoFragment f, MesoSurfaceHit hit, VDMLayout table, VDMDi
   float along = dot(slope, into.Over);
   float across = into.Over.x * slope.y - into.Over.y * slope.x;
   // Depth that ray and facet gain on each other, a depth of the ray.
-  float tangent = into.Sine / into.Cosine;
-  float closing = max(1.0 - along * tangent, 0.01);
+  float secant = 1.0 / into.Cosine;
+  float tangent = into.Sine * secant;
+  float closing = 1.0 / max(1.0 - along * tangent, 0.01); // the inverse
   float depth = hit.Relief * table.Depth;
   // Second derivatives of the ray's depth at the facet, of polar angle and azimuth.
-  float ofPolar = along / (into.Cosine * into.Cosine * closing);
-  float ofAzimuth = across * tangent / closing;
-  float polarBend = 2.0 * abs(ofPolar) * (tangent + abs(ofPolar));
-  float azimuthBend = abs(along) * tangent / closing + 2.0 * ofAzimuth * ofAzimuth;
+  float ofPolar = abs(along) * closing * secant * secant;
+  float ofAzimuth = across * tangent * closing;
+  float polarBend = 2.0 * ofPolar * (tangent + ofPolar);
+  float azimuthBend = abs(along) * tangent * closing + 2.0 * ofAzimuth * ofAzimuth;
   float polarStep = VDMRightAngle / float(table.Polars);
   float azimuthStep = VDMTurn / float(MESO_VDM_AZIMUTHS);
   float bent = 0.125 * depth *
     (polarStep * polarStep * polarBend + azimuthStep * azimuthStep * azimuthBend);
-  float aside = dot(abs(slope), 0.5 / mesoVDMTexels) / closing;
-  return (bent + aside + 2.0 * mesoVDMError) / into.Cosine;
+  float aside = dot(abs(slope), 0.5 / mesoVDMTexels) * closing;
+  return (bent + aside + 2.0 * mesoVDMError) * secant;
 }
 
 // Light is looked up as a ray that comes in where it leaves the base, and is blocked where that ray meets

@@ -160,6 +160,29 @@ TEST_F(BadInput, Images)
   this->ExpectInPage("images");
 }
 
+TEST_F(BadInput, Volumes)
+{
+  const std::string nrrd = "NRRD0004\ntype: float\ndimension: 3\nencoding: raw\n";
+  const std::string little = nrrd + "endian: little\n";
+  const std::string numbers(32, '\0');
+  this->Add("NRRD: a size that is none", "v.nrrd", little + "sizes: 2 2 -2\n\n" + numbers);
+  this->Add("NRRD: more than the file holds", "v.nrrd", little + "sizes: 999 999 9\n\n" + numbers);
+  this->Add("NRRD: no order of bytes", "v.nrrd", nrrd + "sizes: 2 2 2\n\n" + numbers);
+  this->Add("NRRD: no distance between samples", "v.nrrd",
+    little + "sizes: 2 2 2\nspacings: 1 0 1\n\n" + numbers);
+  this->Add("NRRD: numbers elsewhere on the disk", "v.nhdr",
+    little + "sizes: 2 2 2\ndata file: ../v.raw\n\n");
+  this->Add("MetaImage: numbers that are not there", "v.mhd",
+    "NDims = 3\nDimSize = 2 2 2\nElementType = MET_FLOAT\nElementDataFile = v.raw\n");
+  this->Add("VTI: no image", "v.vti", "<VTKFile type=\"ImageData\"></VTKFile>");
+  std::string nan = BytesOf(std::numeric_limits<float>::quiet_NaN());
+  this->Folder.Write("n.nrrd", little + "sizes: 2 2 2\n\n" + nan + numbers.substr(4));
+  this->Add("a number that is none", "s.json",
+    Node(R"("mesh": {"shape": "plane"}, "mesostructure": {"technique": "shell-sdf", "scale": 1,
+      "volume": "n.nrrd"})"));
+  this->ExpectInPage("volumes");
+}
+
 TEST_F(BadInput, Scenes)
 {
   this->Folder.Write("m.stl",

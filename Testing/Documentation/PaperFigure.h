@@ -13,6 +13,7 @@
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
+#include "vtkMesoPolyDataMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -84,10 +85,9 @@ private:
   MesoAOVs TruePixels;
 };
 
-/// A picture of the documentation: a scene with the edges of its meshes over it. Where the relief ends
-/// before its mesh does, edges stand alone.
-inline testing::AssertionResult MesoCompareWithMeshPicture(
-  const MesoScene& scene, const std::string& name, int width, int height)
+/// A scene in colours, with smooth outlines.
+inline vtkSmartPointer<vtkImageData> DrawnPicture(const MesoScene& scene, int width, int height,
+  const std::function<void(const MesoSceneBuilder&, vtkRenderer*)>& add = {})
 {
   vtkNew<vtkMesoEGLRenderWindow> window;
   window->SetMultiSamples(4);
@@ -96,24 +96,45 @@ inline testing::AssertionResult MesoCompareWithMeshPicture(
   window->AddRenderer(renderer);
   MesoSceneBuilder builder;
   builder.Build(scene, renderer);
-  for (const auto& object : builder.GetObjects())
+  if (add)
   {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(object.Mesh);
-    mapper->ScalarVisibilityOff();
-    vtkNew<vtkActor> mesh;
-    mesh->SetMapper(mapper);
-    mesh->SetUserMatrix(object.Actor->GetMatrix());
-    mesh->GetProperty()->SetRepresentationToWireframe();
-    mesh->GetProperty()->BackfaceCullingOn();
-    mesh->GetProperty()->LightingOff();
-    mesh->GetProperty()->SetColor(0.05, 0.15, 0.45);
-    mesh->GetProperty()->SetOpacity(0.4);
-    renderer->AddActor(mesh);
+    add(builder, renderer);
   }
   renderer->ResetCameraClippingRange();
-  return MesoCompareWithBaseline(
-    MesoGrabWindow(window), name, MesoImageLimits(), { MESO_IMAGES, MESO_OUTPUT_FOLDER });
+  return MesoGrabWindow(window);
+}
+
+/// A picture of the documentation: a scene with the edges of its meshes over it, those of `tessellated` diced.
+/// Where the relief ends before its mesh does, edges stand alone.
+inline testing::AssertionResult MesoCompareWithMeshPicture(
+  const MesoScene& scene, const std::string& name, int width, int height)
+{
+  const auto addEdges = [](const MesoSceneBuilder& builder, vtkRenderer* renderer)
+  {
+    for (const auto& object : builder.GetObjects())
+    {
+      if (object.Options.Technique == MesoTechnique::Tessellated)
+      {
+        object.Actor->GetProperty()->EdgeVisibilityOn();
+        object.Actor->GetProperty()->SetEdgeColor(0.05, 0.15, 0.45);
+        continue;
+      }
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(object.Mesh);
+      mapper->ScalarVisibilityOff();
+      vtkNew<vtkActor> mesh;
+      mesh->SetMapper(mapper);
+      mesh->SetUserMatrix(object.Actor->GetMatrix());
+      mesh->GetProperty()->SetRepresentationToWireframe();
+      mesh->GetProperty()->BackfaceCullingOn();
+      mesh->GetProperty()->LightingOff();
+      mesh->GetProperty()->SetColor(0.05, 0.15, 0.45);
+      mesh->GetProperty()->SetOpacity(0.4);
+      renderer->AddActor(mesh);
+    }
+  };
+  return MesoCompareWithBaseline(DrawnPicture(scene, width, height, addEdges), name,
+    MesoImageLimits(), { MESO_IMAGES, MESO_OUTPUT_FOLDER });
 }
 
 #endif

@@ -99,10 +99,7 @@ const Picture Pictures[] = {
   { "ShadowsFloorReference", "Documentation/ShadowsFloor.json", "400x300", "reference" },
   { "TessellatedDraft", "Documentation/TessellatedDraft.json", "400x300" },
   { "TessellatedTorus", "Documentation/TessellatedTorus.json", "400x300" },
-  { "VDMDraft", "Documentation/VDMDraft.json", "400x300" },
-  { "VDMFull", "Documentation/VDMFull.json", "400x300" },
-  { "VDMMedium", "Documentation/VDMMedium.json", "400x300" },
-  { "VDMReference", "Documentation/VDMFull.json", "400x300", "reference" },
+  { "VDMReference", "Documentation/VDMDetail.json", "240x180", "reference" },
   { "VDMCloseUp", "Documentation/VDMCloseUp.json", "320x240" },
   { "VDMCloseUpTruth", "Documentation/VDMCloseUp.json", "320x240", "reference" },
   { "VDMCurvatureChange", "Documentation/VDMCurvatureChange.json", "320x240" },
@@ -143,6 +140,9 @@ const Picture Pictures[] = {
   { "ShapeTorus", "Documentation/ShapeTorus.json", "320x240" },
   { "ShapeUndulating", "Documentation/ShapeUndulating.json", "320x240" },
   { "ShapeVase", "Documentation/ShapeVase.json", "320x240" },
+  { "SlicesAlong", "Documentation/SlicesAlong.json", "320x240" },
+  { "SlicesAlongScreen", "Documentation/SlicesAlongScreen.json", "320x240" },
+  { "SlicesAlongTruth", "Documentation/SlicesAlong.json", "320x240", "reference" },
   { "VolumeBranch", "Documentation/VolumeBranch.json", "320x240" },
   { "VolumeOpen", "Documentation/VolumeOpen.json", "320x240" },
   { "VolumeOpenSlices", "Documentation/VolumeOpen.json", "320x240", "render", "slices" },
@@ -161,12 +161,14 @@ const Picture Pictures[] = {
   { "SurfaceCylinderConfidence", "Documentation/SurfaceCylinderConfidence.json", "400x300" },
 };
 
-/// By TestConvergencePicture, TestDirectionsPicture, TestDistancesPicture, TestGDMFigures, TestPaperOutlines, TestPaperQuadrics and
-/// TestVDMPicture.
+/// By TestConvergencePicture, TestDirectionsPicture, TestDistancesPicture, TestGDMFigures, TestPaperOutlines, TestPaperQuadrics,
+/// TestVDMDetail, TestVDMImages and TestVDMPicture.
 const char* const DrawnElsewhere[] = { "CurvedDistances", "FigureCylinderMesh", "FigureObjectsMesh",
   "FigureQuadrics", "FigureSaddleMesh", "FigureTeapotMesh", "FigureTorusMesh", "GDMFigureDistances",
   "GDMFigureExit", "GDMFigureShadow", "GDMFigureSpaces", "ShellConvergence",
-  "SurfaceBlobDirections", "VDMErrorOverBytes", "VDMErrorOverRank", "VDMShortcut" };
+  "SurfaceBlobDirections", "VDMDraft", "VDMErrorOverBytes", "VDMErrorOverRank", "VDMFull",
+  "VDMImages", "VDMLow", "VDMMedium", "VDMMesh", "VDMMeshDisplaced", "VDMMeshDisplacedZoom",
+  "VDMMeshZoom", "VDMShortcut" };
 
 /// By them alone.
 const char* const ScenesDrawnElsewhere[] = { "FigureObjects" };

@@ -391,4 +391,10 @@ TEST(SceneRefusals, ShellsOfVolumes)
     of(volume + R"("scale": 1, "technique": "slices", "exits": "exact")"), "no rays that run"));
   EXPECT_TRUE(Mentions(of(volume + R"("scale": 1, "technique": "gdm", "exits": "interpolate")"),
     "did you mean interpolated"));
+  EXPECT_EQ(OfRelief(R"(, "stack": "prism")"),
+    place + ".stack: technique relief has no prisms that rays run through");
+  EXPECT_EQ(of(volume + R"("scale": 1, "technique": "gdm", "stack": "screen")"),
+    place + ".stack: technique gdm draws no slices");
+  EXPECT_TRUE(Mentions(of(volume + R"("scale": 1, "technique": "slices", "stack": "screens")"),
+    "did you mean screen"));
 }

@@ -179,6 +179,18 @@ TEST(SceneValues, Mesostructure)
   EXPECT_EQ(all.Named, MesoEffectsOfTechnique(MesoTechnique::Relief));
 }
 
+TEST(SceneValues, Shells)
+{
+  const auto options = [](const std::string& members)
+  { return ParseOptions(members + R"(, "wrap": "repeat")"); };
+  const auto slices = options(R"("technique": "slices", "stack": "screen")");
+  EXPECT_EQ(slices.Stack, MesoStack::Screen);
+  EXPECT_EQ(options(R"("technique": "slices")").Stack, MesoStack::Prism);
+  const auto rays = options(R"("technique": "gdm", "segments": 3, "exits": "interpolated")");
+  EXPECT_EQ(rays.Segments, 3);
+  EXPECT_EQ(rays.Exits, MesoExits::Interpolated);
+}
+
 TEST(SceneValues, TransformIsTranslateRotateScale)
 {
   const auto matrix = ParseNode(R"("transform": {"scale": [2, 3, 4], "rotate": [90, 0, 0, 5],

@@ -148,7 +148,8 @@ TEST(VolumeFile, SaysWhatIsWrong)
   EXPECT_NE(Message("a.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 99999999\n" + raw)
               .find("4096"),
     std::string::npos);
-  EXPECT_NE(Message("a.nrrd", "NRRD0004\ntype: double\ndimension: 3\nsizes: 4096 4096 4096\n" + raw)
+  EXPECT_NE(Message("a.nrrd",
+              "NRRD0004\ntype: double\nendian: big\ndimension: 3\nsizes: 4096 4096 4096\n" + raw)
               .find("2 GiB"),
     std::string::npos);
   std::string damaged = Compressed;

@@ -82,9 +82,9 @@ HeightField FieldOf(const SearchMap& map, MesoWrap wrap)
 }
 
 /// The same and its pyramid, of which `searched` is looked for.
-template <typename HeightField, typename Real>
+template <typename HeightField>
 HeightField FieldOf(
-  const SearchMap& map, MesoWrap wrap, const std::vector<MesoHeightLevel>& pyramid, Real searched)
+  const SearchMap& map, MesoWrap wrap, const std::vector<MesoHeightLevel>& pyramid, int searched)
 {
   HeightField field = FieldOf<HeightField>(map, wrap);
   std::vector<typename HeightField::Level> levels;
@@ -97,6 +97,14 @@ HeightField FieldOf(
   }
   field.SetLevels(std::move(levels), searched);
   return field;
+}
+
+/// A level of it, 1 or more, as a map of its own.
+inline SearchMap LevelOf(
+  const SearchMap& map, const std::vector<MesoHeightLevel>& pyramid, int number)
+{
+  const MesoHeightLevel& level = pyramid[std::size_t(number) - 1];
+  return { map.Name, level.Width, level.Height, level.Heights };
 }
 
 /// The surface itself.
@@ -139,33 +147,24 @@ private:
   MesoWrap Wrap;
 };
 
-/// A path, cut into pieces over one patch each. The surface is that of one map, or a second one of another
-/// size is blended with it.
+/// A path, cut into pieces over one patch each.
 class TrueClearance
 {
 public:
   template <typename Path>
   TrueClearance(const SearchMap& map, MesoWrap wrap, const Path& path)
-    : TrueClearance(map, map, 0., wrap, path)
+    : Surface(map, wrap)
+    , X0(double(path.MapStart.x) * map.Width - 0.5)
+    , Y0(double(path.MapStart.y) * map.Height - 0.5)
+    , SpanX(double(path.MapSpan.x) * map.Width)
+    , SpanY(double(path.MapSpan.y) * map.Height)
+    , Start(double(path.DepthStart))
+    , Fall(double(path.DepthEnd) - double(path.DepthStart))
+    , Sag(double(path.Sag))
+    , Cuts({ 0., 1. })
   {
-  }
-  template <typename Path>
-  TrueClearance(const SearchMap& map, const SearchMap& other, double weightOfOther, MesoWrap wrap,
-    const Path& path)
-    : Layers{ Layer(map, 1. - weightOfOther, wrap, path), Layer(other, weightOfOther, wrap, path) }
-  {
-    this->Start = double(path.DepthStart);
-    this->Fall = double(path.DepthEnd) - this->Start;
-    this->Sag = double(path.Sag);
-    this->Cuts = { 0., 1. };
-    for (const Layer& layer : this->Layers)
-    {
-      if (layer.Weight > 0.)
-      {
-        this->AddCuts(layer.X0, layer.SpanX);
-        this->AddCuts(layer.Y0, layer.SpanY);
-      }
-    }
+    this->AddCuts(this->X0, this->SpanX);
+    this->AddCuts(this->Y0, this->SpanY);
     std::sort(this->Cuts.begin(), this->Cuts.end());
   }
 
@@ -192,8 +191,7 @@ public:
   /// 1 from texel to texel at most.
   double Size() const
   {
-    const Layer& layer = this->Layers[0];
-    return std::abs(layer.X0) + std::abs(layer.Y0) + std::abs(layer.SpanX) + std::abs(layer.SpanY);
+    return std::abs(this->X0) + std::abs(this->Y0) + std::abs(this->SpanX) + std::abs(this->SpanY);
   }
   double DepthSize() const
   {
@@ -201,36 +199,6 @@ public:
   }
 
 private:
-  /// A map and the path in its texels.
-  struct Layer
-  {
-    template <typename Path>
-    Layer(const SearchMap& map, double weight, MesoWrap wrap, const Path& path)
-      : Surface(map, wrap)
-      , Weight(weight)
-      , X0(double(path.MapStart.x) * map.Width - 0.5)
-      , Y0(double(path.MapStart.y) * map.Height - 0.5)
-      , SpanX(double(path.MapSpan.x) * map.Width)
-      , SpanY(double(path.MapSpan.y) * map.Height)
-    {
-    }
-
-    /// Height at a part, of the patch that the path is over at another.
-    double Height(double w, double over) const
-    {
-      return this->Surface.Height(this->X0 + w * this->SpanX, this->Y0 + w * this->SpanY,
-        long(std::floor(this->X0 + over * this->SpanX)),
-        long(std::floor(this->Y0 + over * this->SpanY)));
-    }
-
-    TrueSurface Surface;
-    double Weight;
-    double X0;
-    double Y0;
-    double SpanX;
-    double SpanY;
-  };
-
   void AddCuts(double start, double span)
   {
     const double low = std::ceil(std::min(start, start + span));
@@ -239,13 +207,12 @@ private:
       this->Cuts.push_back(std::clamp((line - start) / span, 0., 1.));
     }
   }
+  /// At a part, by the patch that the path is over at another.
   double Over(double w, double over) const
   {
-    double height = 0.;
-    for (const Layer& layer : this->Layers)
-    {
-      height += layer.Weight > 0. ? layer.Weight * layer.Height(w, over) : 0.;
-    }
+    const double height = this->Surface.Height(this->X0 + w * this->SpanX,
+      this->Y0 + w * this->SpanY, long(std::floor(this->X0 + over * this->SpanX)),
+      long(std::floor(this->Y0 + over * this->SpanY)));
     return 1. - height - this->Depth(w);
   }
   /// Each piece's clearance c0 + t (c1 + t c2), from three of its values.
@@ -271,7 +238,11 @@ private:
     }
   }
 
-  Layer Layers[2];
+  TrueSurface Surface;
+  double X0;
+  double Y0;
+  double SpanX;
+  double SpanY;
   double Start;
   double Fall;
   double Sag;

@@ -19,6 +19,7 @@ struct FloatKernels
   using Frame = MesoKernels::Float::Frame;
   using Grid = MesoKernels::Float::Grid;
   using HeightField = MesoKernels::Float::HeightField;
+  using LevelChoice = MesoKernels::Float::LevelChoice;
   using Quadric = MesoKernels::Float::Quadric;
   using QuadricExact = MesoKernels::Float::QuadricExact;
   using PrismGeometry = MesoKernels::Float::PrismGeometry;
@@ -32,6 +33,7 @@ struct DoubleKernels
   using Frame = MesoKernels::Double::Frame;
   using Grid = MesoKernels::Double::Grid;
   using HeightField = MesoKernels::Double::HeightField;
+  using LevelChoice = MesoKernels::Double::LevelChoice;
   using Quadric = MesoKernels::Double::Quadric;
   using QuadricExact = MesoKernels::Double::QuadricExact;
   using PrismGeometry = MesoKernels::Double::PrismGeometry;

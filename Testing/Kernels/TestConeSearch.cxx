@@ -96,6 +96,36 @@ TYPED_TEST(ConeSearch, EndsAtItsStepsAndOnTheRelief)
   }
 }
 
+TYPED_TEST(ConeSearch, FindsALevelAsItFindsAMapOfItsOwn)
+{
+  for (const SearchMap& map : HardMaps(this->Generator))
+  {
+    const auto pyramid = MesoMakeHeightPyramid(map.Width, map.Height, map.Heights.data());
+    for (int number = 1; number <= static_cast<int>(pyramid.size()); ++number)
+    {
+      const SearchMap level = LevelOf(map, pyramid, number);
+      for (MesoWrap wrap : AllWraps)
+      {
+        const auto asLevel = FieldOf<typename TestFixture::HeightField>(map, wrap, pyramid, number);
+        const auto asMap = FieldOf<typename TestFixture::HeightField>(level, wrap);
+        for (int run = 0; run < 100; ++run)
+        {
+          const auto path = this->RandomPath(level, double(this->Random(-2., 2.)));
+          const auto found = asLevel.searchCone(path, 24, 6);
+          const auto expected = asMap.searchCone(path, 24, 6);
+          ASSERT_EQ(found.Hit, expected.Hit) << map.Name << ", level " << number;
+          ASSERT_EQ(found.Part, expected.Part) << map.Name << ", level " << number;
+          int fetches = 0;
+          int expectedFetches = 0;
+          ASSERT_EQ(
+            asLevel.occludedCone(path, 24, fetches), asMap.occludedCone(path, 24, expectedFetches));
+          ASSERT_EQ(fetches, expectedFetches);
+        }
+      }
+    }
+  }
+}
+
 TYPED_TEST(ConeSearch, TakesFewStepsOverOpenGround)
 {
   using Real = typename TestFixture::Real;

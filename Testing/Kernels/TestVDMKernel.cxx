@@ -125,16 +125,18 @@ public:
     {
       const auto layout = this->Layout(0, nodes);
       const auto first = this->Kernel.vdmPolarAt(layout, 0);
-      EXPECT_NEAR(this->Kernel.vdmSteeper(layout, first), 0., 1e-5) << nodes;
-      EXPECT_EQ(this->Kernel.vdmSteeper(layout, Real(1.2)), 0) << nodes;
+      const auto steeper = [&](Real polar)
+      { return this->Kernel.vdmSteeper(layout, std::tan(Real(0.5) * polar)); };
+      EXPECT_NEAR(steeper(first), 0., 1e-5) << nodes;
+      EXPECT_EQ(steeper(Real(1.2)), 0) << nodes;
       if (nodes == Table::VDMNodesEdges)
       {
         EXPECT_EQ(first, 0);
         continue;
       }
-      EXPECT_NEAR(this->Kernel.vdmSteeper(layout, 0), 1., 1e-5) << nodes;
+      EXPECT_NEAR(steeper(0), 1., 1e-5) << nodes;
       // Nearly even between, as places are.
-      EXPECT_NEAR(this->Kernel.vdmSteeper(layout, Real(0.5) * first), 0.5, 0.01) << nodes;
+      EXPECT_NEAR(steeper(Real(0.5) * first), 0.5, 0.01) << nodes;
     }
   }
 
@@ -152,12 +154,14 @@ public:
       EXPECT_NEAR(direction.Polar, std::atan(2.), 1e-6);
       EXPECT_NEAR(direction.Length, std::sqrt(5.), 1e-6);
       EXPECT_NEAR(direction.Sine, 2. / std::sqrt(5.), 1e-6);
+      EXPECT_NEAR(direction.HalfTangent, std::tan(0.5 * std::atan(2.)), 1e-6);
     }
     // Just before a full turn, straight down, and in the plane.
     ASSERT_TRUE(this->Kernel.vdmDirection(Vec3(1, Real(-1e-12), 1), 1, direction));
     EXPECT_GE(direction.Turns, 0);
     EXPECT_LE(direction.Turns, 1);
     ASSERT_TRUE(this->Kernel.vdmDirection(Vec3(0, 0, 3), 1, direction));
+    EXPECT_EQ(direction.HalfTangent, 0);
     EXPECT_EQ(direction.Polar, 0);
     EXPECT_EQ(direction.Over.x, 0);
     EXPECT_FALSE(this->Kernel.vdmDirection(Vec3(1, 0, 0), 1, direction));

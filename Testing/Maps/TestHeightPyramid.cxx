@@ -76,3 +76,27 @@ TEST(HeightPyramid, AMapWithASideOfOneTexelHasNone)
   EXPECT_TRUE(MesoMakeHeightPyramid(9, 1, heights.data()).empty());
   EXPECT_TRUE(MesoMakeHeightPyramid(1, 1, heights.data()).empty());
 }
+
+TEST(HeightPyramid, SlopesAreStepsFromTexelToTexel)
+{
+  // A ramp along u that is flat along v: 8 texels of 1/10 each.
+  std::vector<float> ramp;
+  for (int i = 0; i < 8 * 3; ++i)
+  {
+    ramp.push_back(float(i % 8) * 0.1f);
+  }
+  const auto slopes = MesoMeanSquareSlopes(8, 3, ramp.data());
+  EXPECT_NEAR(slopes[0], 7. / 8. * 0.8 * 0.8, 1e-6);
+  EXPECT_EQ(slopes[1], 0.);
+  EXPECT_EQ(MesoMeanSquareSlopes(1, 1, ramp.data()), (std::array<double, 2>{ 0., 0. }));
+  // Levels have ever less of them.
+  const std::vector<float> noise = RandomHeights(64, 32);
+  std::array<double, 2> before = MesoMeanSquareSlopes(64, 32, noise.data());
+  for (const MesoHeightLevel& level : MesoMakeHeightPyramid(64, 32, noise.data()))
+  {
+    const auto left = MesoMeanSquareSlopes(level.Width, level.Height, level.Heights.data());
+    EXPECT_LT(left[0], 0.7 * before[0]);
+    EXPECT_LT(left[1], 0.7 * before[1]);
+    before = left;
+  }
+}

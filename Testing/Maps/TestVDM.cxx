@@ -1,5 +1,6 @@
 // Tables of view-dependent displacements: closed forms, tiny maps by brute force, factors.
 
+#include "BentRelief.h"
 #include "ErrorRecorder.h"
 #include "VDMTables.h"
 
@@ -8,128 +9,6 @@
 namespace
 {
 using namespace VDMTables;
-
-/// The relief in the plane of a ray, bent about the centre of curvature, as a place knows it: written with
-/// points of the plane, without the kernel's formulas.
-class BentRelief
-{
-public:
-  BentRelief(vtkImageData* map, const MesoVDMLayout& layout, int column, int row, double azimuth,
-    double curvature)
-    : Map(map)
-    , Layout(layout)
-    , Column(column)
-    , Row(row)
-    , Azimuth(azimuth)
-    , Curvature(curvature)
-  {
-  }
-
-  /// Depth of the relief below a place of the base.
-  double ReliefAt(double offset) const
-  {
-    const double x = this->Column + offset * std::cos(this->Azimuth) * this->Layout.Width;
-    const double y = this->Row + offset * std::sin(this->Azimuth) * this->Layout.Height;
-    const double i = std::floor(x);
-    const double j = std::floor(y);
-    const auto at = [&](double column, double row)
-    {
-      const int c =
-        static_cast<int>(column - this->Layout.Width * std::floor(column / this->Layout.Width));
-      const int r =
-        static_cast<int>(row - this->Layout.Height * std::floor(row / this->Layout.Height));
-      return this->Map->GetScalarComponentAsDouble(c, r, 0, 0);
-    };
-    const double height = (1. - (y - j)) * ((1. - (x - i)) * at(i, j) + (x - i) * at(i + 1., j)) +
-      (y - j) * ((1. - (x - i)) * at(i, j + 1.) + (x - i) * at(i + 1., j + 1.));
-    return this->Layout.Depth * (1. - height);
-  }
-
-  struct Place
-  {
-    double Offset;
-    double Depth;
-  };
-
-  /// Of a point of the plane: along the tangent at the entry, and inwards.
-  Place PlaceOf(double along, double inwards) const
-  {
-    if (this->Curvature == 0.)
-    {
-      return { along, inwards };
-    }
-    const double radius = 1. / this->Curvature;
-    const double side = this->Curvature > 0. ? 1. : -1.;
-    const double angle = std::atan2(along, side * (radius - inwards)); // at the centre
-    return { std::abs(radius) * angle, radius - side * std::hypot(along, radius - inwards) };
-  }
-
-  /// The first point of a ray in the relief by small steps and halving; false where it comes out.
-  bool March(double polar, Place& place, double& length) const
-  {
-    const double step = 0.02 / std::max(this->Layout.Width, this->Layout.Height);
-    double before = 0.;
-    for (double t = 0.;; t += step)
-    {
-      const Place here = this->PlaceOf(t * std::sin(polar), t * std::cos(polar));
-      if (t > 0. && here.Depth < 0.)
-      {
-        return false;
-      }
-      if (here.Depth >= this->ReliefAt(here.Offset))
-      {
-        double low = before;
-        double high = t;
-        for (int i = 0; i < 50; ++i)
-        {
-          const double middle = 0.5 * (low + high);
-          const Place there = this->PlaceOf(middle * std::sin(polar), middle * std::cos(polar));
-          (there.Depth >= this->ReliefAt(there.Offset) ? high : low) = middle;
-        }
-        length = high;
-        place = this->PlaceOf(high * std::sin(polar), high * std::cos(polar));
-        return true;
-      }
-      before = t;
-    }
-  }
-
-  /// The largest polar angle at which a point of the relief is seen over a convex base, by small steps and
-  /// thirds of the best of them.
-  double Flattest() const
-  {
-    constexpr int Steps = 20000;
-    const double radius = 1. / this->Curvature;
-    const auto at = [&](double step)
-    {
-      const double angle = Pi * step / Steps; // at the centre
-      const double left = radius - this->ReliefAt(radius * angle);
-      return std::atan2(left * std::sin(angle), radius - left * std::cos(angle));
-    };
-    int best = 1;
-    for (int i = 2; i < Steps; ++i)
-    {
-      best = at(i) > at(best) ? i : best;
-    }
-    double low = best - 1;
-    double high = best + 1;
-    for (int i = 0; i < 60; ++i)
-    {
-      const double third = (high - low) / 3.;
-      (at(low + third) > at(high - third) ? high : low) +=
-        at(low + third) > at(high - third) ? -third : third;
-    }
-    return at(0.5 * (low + high));
-  }
-
-private:
-  vtkImageData* Map;
-  const MesoVDMLayout& Layout;
-  int Column;
-  int Row;
-  double Azimuth;
-  double Curvature;
-};
 
 /// What is to be stored of a point, in tiles.
 double Expected(const MesoVDMLayout& layout, double polar, double curvature,
@@ -347,6 +226,43 @@ TEST(VDM, MoreFactorsLeaveLess)
   }
   EXPECT_GT(of8 * of8 - of16 * of16, 0.6 * expected);
   EXPECT_LT(of8 * of8 - of16 * of16, 1.5 * expected);
+}
+
+TEST(VDM, ErrorsOfFactorsAreThoseOfTheirMatrix)
+{
+  // Of each rank, of distances and of largest angles that are scaled to the distances' root mean square.
+  const MesoVDMLayout layout = SmallLayout(8, 6);
+  vtkSmartPointer<vtkImageData> map = RandomMap(8, 6);
+  vtkSmartPointer<vtkImageData> table = Bake(map, layout);
+  vtkSmartPointer<vtkImageData> factored = Bake(map, layout, 4);
+  vtkDataArray* numbers = table->GetPointData()->GetArray("VDM");
+  vtkDataArray* angles = table->GetPointData()->GetArray("MVM");
+  const auto squares = [&](int rank, bool ofAngles)
+  {
+    vtkDataArray* array = ofAngles ? angles : numbers;
+    double sum = 0.;
+    for (vtkIdType tuple = 0; tuple < array->GetNumberOfTuples(); ++tuple)
+    {
+      for (int column = 0; column < array->GetNumberOfComponents(); ++column)
+      {
+        const double number = array->GetComponent(tuple, column) / 65535.;
+        const double error = (ofAngles ? 1. - number : number) -
+          FactoredAt(factored, tuple, column, rank, ofAngles ? "MVMFunctions" : "VDMFunctions");
+        sum += error * error;
+      }
+    }
+    return sum;
+  };
+  const double scale =
+    squares(0, false) / layout.DistanceColumns() / (squares(0, true) / layout.Curvatures);
+  for (int rank = 1; rank <= 4; ++rank)
+  {
+    const double square = (squares(rank, false) + scale * squares(rank, true)) /
+      (double(layout.Rows()) * layout.Columns());
+    EXPECT_NEAR(factored->GetFieldData()->GetArray("Errors")->GetTuple1(rank - 1),
+      std::sqrt(square), 0.01 * std::sqrt(square))
+      << rank;
+  }
 }
 
 TEST(VDM, FactorsOfAConstantTableAreIt)

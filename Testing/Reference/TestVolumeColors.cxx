@@ -3,6 +3,7 @@
 
 #include "ReferenceWorld.h"
 #include "TemporaryFolder.h"
+#include "TinyTiff.h"
 
 #include "MesoMessage.h"
 #include "MesoSceneBuilder.h"
@@ -19,7 +20,13 @@ namespace
 {
 constexpr int Size = 96;
 
-/// A file of 8 x 4 x 4 colours: red grows along x and back, green is below, blue above.
+/// Of 8 x 4 x 4: red grows along x and back, green is below, blue above.
+std::array<int, 3> ColorAt(int x, int z)
+{
+  return { 255 * std::min(x, 7 - x) / 3, z < 2 ? 220 : 20, z < 2 ? 40 : 255 };
+}
+
+/// A file of them.
 std::string ColorFile(const TemporaryFolder& folder, int components = 3)
 {
   std::ostringstream text;
@@ -29,9 +36,7 @@ std::string ColorFile(const TemporaryFolder& folder, int components = 3)
        << R"(" format="ascii">)";
   for (int i = 0; i < 8 * 4 * 4; ++i)
   {
-    const int x = i % 8;
-    const int z = i / 32;
-    const int color[] = { 255 * std::min(x, 7 - x) / 3, z < 2 ? 220 : 20, z < 2 ? 40 : 255 };
+    const std::array<int, 3> color = ColorAt(i % 8, i / 32);
     for (int k = 0; k < components; ++k)
     {
       text << color[k] << " ";
@@ -104,6 +109,29 @@ TEST(VolumeColors, AreThoseOfTheReference)
     EXPECT_LT(difference[0], limit) << technique;
   }
   EXPECT_LT(Difference(truth, Drawn(SceneWith("shell-sdf", colors)))[1], 0.01);
+}
+
+TEST(VolumeColors, MayBeAStackOfImages)
+{
+  // The same numbers as an image for each slice, each from its last row up.
+  const TemporaryFolder folder;
+  std::vector<TinyTiffImage> images;
+  for (int z = 0; z < 4; ++z)
+  {
+    TinyTiffImage image = { 8, 4, 3, "" };
+    for (int i = 0; i < 8 * 4; ++i)
+    {
+      for (const int number : ColorAt(i % 8, z))
+      {
+        image.Numbers.push_back(static_cast<char>(number));
+      }
+    }
+    images.push_back(image);
+  }
+  const std::string stack = folder.Write("colors.tif", TinyTiff(images));
+  const auto drawn = [](const std::string& file)
+  { return Drawn(SceneWith("shell-sdf", R"(, "volume_colors": ")" + file + "\"")); };
+  EXPECT_EQ(Difference(drawn(stack), drawn(ColorFile(folder)))[0], 0.);
 }
 
 TEST(VolumeColors, OfOneNumberAreNone)

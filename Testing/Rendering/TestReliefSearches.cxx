@@ -88,8 +88,8 @@ TEST(ReliefSearches, ConesFollowTheMapAndItsWrap)
   const std::size_t without = plane.Mapper->GetGPUBytes();
   plane.Use(MesoSearch::Certified);
   const std::vector<float> first = plane.Depths();
-  // Four cones of two bytes a texel; of the pyramid's levels half of these and of the heights again.
-  EXPECT_EQ(plane.Mapper->GetGPUBytes(), without + Texels * Texels * (8 + 4 + 2));
+  // Four cones of two bytes a texel and the heights once more, and half of both for the pyramid's levels.
+  EXPECT_EQ(plane.Mapper->GetGPUBytes(), without + Texels * Texels * (8 + 4 + 4 + 2));
   MesoMesostructureOptions unfiltered = plane.Mapper->GetOptions();
   unfiltered.Filter = MesoFilter::None;
   const auto bytesBy = [&](MesoSearch search)
@@ -100,9 +100,8 @@ TEST(ReliefSearches, ConesFollowTheMapAndItsWrap)
     alone.Depths();
     return alone.Mapper->GetGPUBytes();
   };
-  // The second texture is of one texel then.
   EXPECT_EQ(
-    bytesBy(MesoSearch::Certified), bytesBy(MesoSearch::LinearBinary) + Texels * Texels * 8 + 2);
+    bytesBy(MesoSearch::Certified), bytesBy(MesoSearch::LinearBinary) + Texels * Texels * 8);
 
   // A wall that old cones would let rays through.
   auto* values = vtkFloatArray::SafeDownCast(heights->GetPointData()->GetScalars());

@@ -408,6 +408,38 @@ TEST(VDMMapper, MoreFactorsAreNearerToTheTable)
   EXPECT_LT(before, 0.5);
 }
 
+TEST(VDMMapper, ShadowsTolerateTheErrorOfTheFactorsInUse)
+{
+  const auto heights = MesoTestScene::Pattern("brick", Size, Size);
+  vtkNew<vtkMesoVDMMapper> vdm;
+  vdm->SetHeightMap(heights);
+  VDMPlane plane(40., 0.7);
+  // The part of the picture that is blocked where the table says that one rank's error is large, and others' not.
+  const auto blocked = [&](int large)
+  {
+    const auto table = MesoSmallVDM(heights, 0.2, 8);
+    vtkDataArray* errors = table->GetFieldData()->GetArray("Errors");
+    for (vtkIdType i = 0; i < errors->GetNumberOfTuples(); ++i)
+    {
+      errors->SetTuple1(i, i + 1 == large ? 10. : 1e-6);
+    }
+    errors->Modified();
+    vdm->SetTable(table);
+    MesoMesostructureOptions options = vdm->GetOptions();
+    options.Rank = { 6, 4 };
+    vdm->SetOptions(options);
+    plane.Capture(vdm);
+    const std::vector<float> shadow = plane.Values("shadow.0");
+    return double(std::count(shadow.begin(), shadow.end(), 1.f)) / double(shadow.size());
+  };
+  const double exact = blocked(0);
+  EXPECT_GT(exact, 0.05);
+  EXPECT_LT(exact, 0.5);
+  EXPECT_EQ(blocked(5), exact);
+  EXPECT_EQ(blocked(7), exact);
+  EXPECT_LT(blocked(6), 0.5 * exact); // facets that face away are left
+}
+
 TEST(VDMMapper, HardViewsGiveNumbers)
 {
   // Grazing, from very near, along the normal, and curvatures beyond the table's.

@@ -4,7 +4,10 @@
 #include "MesoAOVChecks.h"
 #include "MesoExpectedMessages.h"
 
+#include "vtkPointData.h"
+
 #include <functional>
+#include <iostream>
 
 namespace
 {
@@ -119,6 +122,42 @@ TEST_P(ReliefHardMaps, TenThousandTiles)
   this->Mapper->SetTiles(1e4, 1e4);
   this->Mapper->SetScale(1e-5);
   EXPECT_GT(this->Check(MesoTestScene::Pattern("brick")), 3000);
+}
+
+TEST_P(ReliefHardMaps, TenThousandTilesOfFourThousandTexels)
+{
+  // The last third of the last of 10^4 tiles along u and v, where floats are 4 texels apart.
+  constexpr double Tiles = 1e4;
+  constexpr double Part = 1. / 32768.; // of the chart, exact in floats
+  const auto map = Map(4096, 64, [](int column, int row) { return float((column / 8 + row) % 2); });
+  this->Mapper->SetScale(1e-6); // no parallax: where a ray hits is where it comes in
+  const int covered = this->Check(map);
+  EXPECT_GT(covered, 3000);
+  const auto places = this->Pass->GetInterleaved({ "coverage", "texcoord.u", "texcoord.v" });
+  const auto corner = vtkSmartPointer<vtkPolyData>::New();
+  corner->DeepCopy(MesoTestScene::Shape("plane"));
+  vtkDataArray* coordinates = corner->GetPointData()->GetTCoords();
+  const auto moved = [](double place) { return 1. - (1. - place) * Part; };
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    coordinates->SetComponent(i, 0, moved(coordinates->GetComponent(i, 0)));
+    coordinates->SetComponent(i, 1, moved(coordinates->GetComponent(i, 1)));
+  }
+  this->Use(corner);
+  this->Mapper->SetTiles(Tiles, Tiles);
+  EXPECT_EQ(this->Check(map), covered) << "holes";
+  const auto hits = this->Pass->GetInterleaved({ "coverage", "texcoord.u", "texcoord.v" });
+  double worst = 0.;
+  for (std::size_t i = 0; i < hits.size(); i += 3)
+  {
+    for (std::size_t axis = 1; hits[i] > 0.f && axis < 3; ++axis)
+    {
+      const double place = Tiles * moved(double(places[i + axis]));
+      worst = std::max(worst, std::abs(double(hits[i + axis]) - place));
+    }
+  }
+  std::cout << "off by " << 4096. * worst << " texels of 4096 a tile\n";
+  EXPECT_LT(4096. * worst, 48.); // what interpolating a float over the picture leaves
 }
 
 TEST_P(ReliefHardMaps, WrongMapsAreRefusedAndTheBaseIsDrawn)

@@ -78,7 +78,7 @@ public:
     std::vector<unsigned char> ConeSteepness;
   };
   /// The levels from the first above the map on, and the one that searches look for.
-  void SetLevels(std::vector<Level> levels, Real searched)
+  void SetLevels(std::vector<Level> levels, int searched)
   {
     this->Levels = std::move(levels);
     this->Searched = searched;
@@ -102,7 +102,7 @@ public:
     return (1 - row.Weight) * between(row.Low) + row.Weight * between(row.High);
   }
   glm::ivec2 mapSize() const { return { this->Width, this->Height }; }
-  Real surfaceLevel() const { return this->Searched; }
+  int surfaceLevel() const { return this->Searched; }
   glm::ivec2 levelSize(int level) const
   {
     return level == 0 ? this->mapSize()
@@ -181,7 +181,7 @@ private:
   std::vector<unsigned char> ConeApex;
   std::vector<unsigned char> ConeSteepness;
   std::vector<Level> Levels;
-  Real Searched = 0;
+  int Searched = 0;
   Real WeightSteps = 0;
 };
 

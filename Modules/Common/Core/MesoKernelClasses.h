@@ -59,6 +59,12 @@ public:
 #include MESO_KERNEL(Horizon)
 };
 
+class LevelChoice
+{
+public:
+#include MESO_KERNEL(LevelChoice)
+};
+
 class PrismGeometry
 {
 public:
@@ -87,7 +93,7 @@ public:
 #include MESO_KERNEL(HeightLevels)
   Real surfaceHeight(RealVec2 uv) const
   {
-    return this->heightAtLevel(uv, this->surfaceLevel());
+    return this->heightOfLevel(uv, this->surfaceLevel());
   }
 #include MESO_KERNEL(HeightPath)
 #include MESO_KERNEL(HeightHit)

@@ -24,6 +24,8 @@
  *     a height map whose surface is a cubic B-spline: mapHeight, mapFacet, the searches by equal steps
  *   MesoKernels::Float::Horizon, MesoKernels::Double::Horizon
  *     azimuthBefore, azimuthAfter, discBelow
+ *   MesoKernels::Float::LevelChoice, MesoKernels::Double::LevelChoice
+ *     levelsOfPixel: which levels of a height map's pyramid a pixel sees
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross

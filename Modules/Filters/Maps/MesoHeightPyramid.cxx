@@ -81,3 +81,20 @@ std::vector<MesoHeightLevel> MesoMakeHeightPyramid(int width, int height, const 
   }
   return levels;
 }
+
+std::array<double, 2> MesoMeanSquareSlopes(int width, int height, const float* heights)
+{
+  std::array<double, 2> sums = { 0., 0. };
+  for (int row = 0; row < height; ++row)
+  {
+    const float* here = heights + std::ptrdiff_t(row) * width;
+    for (int column = 0; column < width; ++column)
+    {
+      const double alongU = column + 1 < width ? double(here[column + 1]) - here[column] : 0.;
+      const double alongV = row + 1 < height ? double(here[column + width]) - here[column] : 0.;
+      sums[0] += alongU * alongU;
+      sums[1] += alongV * alongV;
+    }
+  }
+  return { sums[0] * width / height, sums[1] * height / width };
+}

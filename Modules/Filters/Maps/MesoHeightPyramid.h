@@ -3,6 +3,7 @@
 
 #include "mesoFiltersMapsModule.h" // for export macro
 
+#include <array>
 #include <vector>
 
 /// A level of a height map's pyramid, row by row from v = 0.
@@ -19,6 +20,13 @@ struct MesoHeightLevel
  * that of which a side is one texel; a map with such a side has none.
  */
 MESOFILTERSMAPS_EXPORT std::vector<MesoHeightLevel> MesoMakeHeightPyramid(
+  int width, int height, const float* heights);
+
+/**
+ * The mean squares of a map's slopes along u and v, height per map coordinate: of the steps from texel to texel,
+ * without those over its border.
+ */
+MESOFILTERSMAPS_EXPORT std::array<double, 2> MesoMeanSquareSlopes(
   int width, int height, const float* heights);
 
 #endif

@@ -73,6 +73,11 @@ double MesoVDMLayout::PolarAt(int i) const
   return Kernel().vdmPolarAt(KernelLayout(*this), i);
 }
 
+double MesoVDMLayout::PolarPlace(double polar) const
+{
+  return Kernel().vdmPolarPlace(KernelLayout(*this), polar);
+}
+
 double MesoVDMLayout::RayPolarAt(int i) const
 {
   constexpr double leastSlope = 1e-2;

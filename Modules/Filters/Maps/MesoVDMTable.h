@@ -66,6 +66,8 @@ struct MESOFILTERSMAPS_EXPORT MesoVDMLayout
   double PolarAt(int i) const; ///< radians
   /// The same of the ray that stands for it: 0.01 below 90 degrees, where rays meet nothing.
   double RayPolarAt(int i) const;
+  /// Where an angle in radians lies among those of the table, which end it: 0 is the first.
+  double PolarPlace(double polar) const;
   double CurvatureAt(int i) const; ///< 1 / tile
   /// What the stored number 1 stands for, in tiles: no ray of the table's angles comes further.
   double Range() const;

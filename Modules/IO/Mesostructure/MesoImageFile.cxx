@@ -190,11 +190,11 @@ MesoImageInput::MesoImageInput(const std::string& fileName)
 
 MesoImageInput::~MesoImageInput() = default;
 
-int MesoImageInput::CountImages()
+int MesoImageInput::CountImages(int most)
 {
   auto& input = *this->Implementation->Input;
   int count = 1;
-  while (input.seek_subimage(count, 0))
+  while (count <= most && input.seek_subimage(count, 0))
   {
     ++count;
   }

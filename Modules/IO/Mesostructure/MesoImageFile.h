@@ -78,8 +78,8 @@ public:
   /// where the file is truncated or damaged.
   void Read(void* pixels, RowOrder order) { this->Read(pixels, order, 0); }
 
-  /// The images that the file holds.
-  int CountImages();
+  /// The images that the file holds, counted up to one more than `most`.
+  int CountImages(int most);
   /// The same of the image of that number, counted from 0. Throws MesoInputError too where it is of
   /// another size or type than the first.
   void Read(void* pixels, RowOrder order, int image);

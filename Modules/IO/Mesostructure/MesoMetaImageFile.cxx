@@ -1,15 +1,11 @@
 #include "MesoVolumeFormats.h"
 
-#include "MesoFileBytes.h"
-#include "MesoMessage.h"
-#include "MesoScene.h" // for MesoInputError
+#include "MesoVolumeFields.h"
 #include "MesoVolumeNumbers.h"
 #include "vtkImageData.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <sstream>
 
 namespace
 {
@@ -23,22 +19,12 @@ int TypeOf(const std::string& name)
   return found == types.end() ? VTK_VOID : found->second;
 }
 
-/// Three numbers of a text, or none.
-bool ReadThree(const std::string& text, std::array<double, 3>& three)
+/// Fields up to the one that ends the header, behind which `place` lies then.
+MesoVolumeFields ReadFields(
+  const std::string& bytes, const std::string& fileName, std::size_t& place)
 {
-  std::istringstream words(text);
-  return bool(words >> three[0] >> three[1] >> three[2]);
-}
-}
-
-vtkSmartPointer<vtkImageData> MesoParseMetaImage(
-  const std::string& bytes, const std::string& fileName)
-{
-  const auto fail = [&](const std::string& reason)
-  { throw MesoInputError(fileName + ": " + MesoPrintable(reason)); };
-  std::map<std::string, std::string> fields;
-  std::size_t place = 0;
-  while (place < bytes.size() && !fields.count("ElementDataFile"))
+  MesoVolumeFields fields(fileName);
+  while (place < bytes.size() && !fields.Has("ElementDataFile"))
   {
     const std::size_t end = std::min(bytes.find('\n', place), bytes.size());
     const std::string line = bytes.substr(place, end - place);
@@ -46,49 +32,65 @@ vtkSmartPointer<vtkImageData> MesoParseMetaImage(
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos)
     {
-      fail("has a line without '=' in its header: it is no MetaImage, or it does not end in "
-           "ElementDataFile");
+      fields.Fail("",
+        "has a line without '=' in its header: it is no MetaImage, or it does not end in "
+        "ElementDataFile");
     }
-    const auto trimmed = [](std::string text)
-    {
-      text.erase(0, text.find_first_not_of(" \t"));
-      text.erase(text.find_last_not_of(" \t\r") + 1);
-      return text;
-    };
-    fields[trimmed(line.substr(0, equals))] = trimmed(line.substr(equals + 1));
+    const std::size_t last = line.find_last_not_of(" \t", equals == 0 ? 0 : equals - 1);
+    const std::size_t first = line.find_first_not_of(" \t");
+    fields.Set(line.substr(first, last == std::string::npos ? 0 : last + 1 - first),
+      line.substr(equals + 1));
   }
-  const auto isTrue = [&](const char* key)
-  { return fields[key] == "True" || fields[key] == "true" || fields[key] == "1"; };
+  return fields;
+}
+
+MesoVolumeHeader HeaderOf(const MesoVolumeFields& fields)
+{
   MesoVolumeHeader header;
-  std::array<double, 3> size{};
-  const std::string channels = fields["ElementNumberOfChannels"];
-  if (fields["NDims"] != "3" || !ReadThree(fields["DimSize"], size) ||
-    (!channels.empty() && channels != "1"))
+  const std::string channels = fields.Of("ElementNumberOfChannels");
+  if (fields.Of("NDims") != "3" || (!channels.empty() && channels != "1"))
   {
-    fail("is no volume of three dimensions and one number a sample");
+    fields.Fail("", "is no volume of three dimensions and one number a sample");
   }
-  std::transform(size.begin(), size.end(), header.Size.begin(),
-    [](double side) { return side >= 1. && side <= 1e6 ? static_cast<int>(side) : 0; });
-  if (!ReadThree(fields["ElementSpacing"], header.Spacing))
+  header.Size = fields.Size("DimSize");
+  const std::string spacing = fields.OneOf({ "ElementSpacing", "ElementSize" });
+  if (fields.Has(spacing))
   {
-    header.Spacing = { 1., 1., 1. };
-    ReadThree(fields["ElementSize"], header.Spacing);
+    const std::vector<double> numbers = fields.Numbers(spacing, 3);
+    std::copy(numbers.begin(), numbers.end(), header.Spacing.begin());
   }
-  header.Type = TypeOf(fields["ElementType"]);
-  header.IsBigEndian = isTrue("BinaryDataByteOrderMSB") || isTrue("ElementByteOrderMSB");
-  header.Encoding = isTrue("CompressedData") ? MesoVolumeHeader::Coding::Gzip
-    : fields["BinaryData"] == "False"        ? MesoVolumeHeader::Coding::Text
-                                             : MesoVolumeHeader::Coding::Raw;
-  const std::string name = fields["ElementDataFile"];
+  header.Type = TypeOf(fields.Of("ElementType"));
+  if (header.Type == VTK_VOID)
+  {
+    fields.Fail("ElementType", "'" + fields.Of("ElementType") + "' is no type that can be read");
+  }
+  header.IsBigEndian =
+    fields.IsTrue("BinaryDataByteOrderMSB") || fields.IsTrue("ElementByteOrderMSB");
+  header.Encoding = fields.IsTrue("CompressedData")            ? MesoVolumeHeader::Coding::Gzip
+    : fields.Has("BinaryData") && !fields.IsTrue("BinaryData") ? MesoVolumeHeader::Coding::Text
+                                                               : MesoVolumeHeader::Coding::Raw;
+  const double skipped = fields.WholeNumber("HeaderSize", -1., double(MesoVolumeMostBytes), 0.);
+  header.IsAtEnd = skipped < 0.;
+  header.SkippedBytes = static_cast<std::size_t>(std::max(skipped, 0.));
+  return header;
+}
+}
+
+vtkSmartPointer<vtkImageData> MesoParseMetaImage(
+  const std::string& bytes, const std::string& fileName)
+{
+  std::size_t place = 0;
+  const MesoVolumeFields fields = ReadFields(bytes, fileName, place);
+  MesoVolumeHeader header = HeaderOf(fields);
+  const std::string name = fields.Of("ElementDataFile");
   if (name == "LOCAL")
   {
-    return MesoDecodeVolume(header, bytes.substr(place), fileName);
+    header.SkippedBytes = 0; // it counts from the file's beginning: the header
+    return MesoDecodeVolume(header, std::string_view(bytes).substr(place), fileName);
   }
   if (name.empty() || name == "LIST" || name.find('%') != std::string::npos)
   {
-    fail("has its numbers in several files, or in none: one file is read");
+    fields.Fail("ElementDataFile", "has its numbers in several files, or in none: one is read");
   }
-  const auto beside = std::filesystem::path(fileName).parent_path() / name;
-  return MesoDecodeVolume(
-    header, MesoReadBytes(beside.string(), MesoVolumeMostBytes, "a volume file"), fileName);
+  return MesoDecodeVolume(header, fields.BytesBeside("ElementDataFile"), fileName);
 }

@@ -39,7 +39,7 @@ std::vector<MesoSceneKeyGroup> MakeTable()
       { "technique", "height_map", "depth_map", "relief_map", "range", "sample_spacing", "scale",
         "reference", "tiles", "wrap", "quality", "search", "quadric", "curved", "parallax",
         "penumbra", "facet_pixels", "baked", "rank", "effects", "volume", "tile_mesh",
-        "volume_colors", "segments", "exits", "interpolation", "filter", "curvature_at" },
+        "volume_colors", "segments", "exits", "stack", "interpolation", "filter", "curvature_at" },
       {} },
     { "volume_file", { "file", "threshold", "solid", "crop", "blend", "size" }, {} },
     { "mesh_tile", { "file", "box", "size" }, {} },

@@ -103,7 +103,8 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   const std::string technique = std::string("technique ") + MesoName(options.Technique);
   if (!MesoUsesVolume(options.Technique))
   {
-    value.Refuse({ "segments", "exits" }, technique + " has no prisms that rays run through");
+    value.Refuse(
+      { "segments", "exits", "stack" }, technique + " has no prisms that rays run through");
     value.Refuse({ "volume_colors" }, technique + " draws no volume");
     return;
   }
@@ -140,6 +141,13 @@ void ReadShell(const MesoSceneValue& value, MesoSceneNode& node)
   {
     value.Refuse({ "segments", "exits" }, technique + " has no rays that run through prisms");
   }
+  else
+  {
+    value.Refuse({ "stack" }, technique + " draws no slices");
+  }
+  value.With("stack",
+    [&](const MesoSceneValue& kind)
+    { options.Stack = kind.ToChoice<MesoStack>("stack", &MesoStackFromName, MesoStackNames()); });
   value.With("exits",
     [&](const MesoSceneValue& kind)
     { options.Exits = kind.ToChoice<MesoExits>("exits", &MesoExitsFromName, MesoExitsNames()); });

@@ -12,33 +12,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace
 {
-vtkSmartPointer<vtkImageData> ReadStack(const std::string& fileName)
+/// Throws where a stack of images is no volume, before memory is taken for it.
+void CheckStack(
+  const MesoImageHeader& header, int slices, MesoSamples samples, const std::string& fileName)
+{
+  const std::size_t channels = header.ChannelNames.size();
+  if (samples == MesoSamples::Numbers ? channels != 1 : channels < 3)
+  {
+    throw MesoInputError(fileName + ": has " + std::to_string(channels) +
+      (channels == 1 ? " channel" : " channels") +
+      (samples == MesoSamples::Numbers ? "; a volume has one number a sample"
+                                       : "; colors need three numbers a sample"));
+  }
+  if (slices < 2)
+  {
+    throw MesoInputError(
+      fileName + ": holds " + std::to_string(slices) + " image; a volume has one for each slice");
+  }
+  if (std::max({ header.Width, header.Height, slices }) > MesoVolumeLargestSide)
+  {
+    throw MesoInputError(fileName + ": holds more than " + std::to_string(MesoVolumeLargestSide) +
+      " samples along a side");
+  }
+  const std::uint64_t bytes =
+    std::uint64_t(header.NumberOfValues()) * header.BytesPerValue() * std::uint64_t(slices);
+  if (bytes > MesoVolumeMostBytes)
+  {
+    throw MesoInputError(fileName + ": takes more than 2 GiB in memory");
+  }
+  // What a file of that size holds at most, by the densest of TIFF's codes (LZW: 4096 bytes by 12 bits).
+  constexpr std::uint64_t mostOfOne = 4096;
+  if (bytes > std::filesystem::file_size(fileName) * mostOfOne)
+  {
+    throw MesoInputError(fileName + ": holds fewer samples than its images' sizes say");
+  }
+}
+
+vtkSmartPointer<vtkImageData> ReadStack(const std::string& fileName, MesoSamples samples)
 {
   MesoImageInput input(fileName);
   const MesoImageHeader& header = input.Header();
-  const int slices = input.CountImages();
-  if (header.ChannelNames.size() != 1)
-  {
-    throw MesoInputError(fileName + ": has " + std::to_string(header.ChannelNames.size()) +
-      " channels; a volume has one number a sample");
-  }
+  const int slices = input.CountImages(MesoVolumeLargestSide);
+  CheckStack(header, slices, samples, fileName);
   const std::size_t slice = header.NumberOfValues() * header.BytesPerValue();
-  if (slices < 2 || slices > MesoVolumeLargestSide ||
-    slice * std::size_t(slices) > MesoVolumeMostBytes)
-  {
-    throw MesoInputError(fileName + ": holds " + std::to_string(slices) +
-      (slices < 2 ? " image; a volume has one for each slice" : " images, which is too much"));
-  }
   using Type = MesoImageHeader::Type;
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(header.Width, header.Height, slices);
   image->AllocateScalars(header.ValueType == Type::UnsignedChar ? VTK_UNSIGNED_CHAR
       : header.ValueType == Type::UnsignedShort                 ? VTK_UNSIGNED_SHORT
                                                                 : VTK_FLOAT,
-    1);
+    static_cast<int>(header.ChannelNames.size()));
   auto* target = static_cast<char*>(image->GetScalarPointer());
   for (int k = 0; k < slices; ++k)
   {
@@ -101,12 +128,12 @@ const std::vector<std::string>& MesoVolumeExtensions()
   return extensions;
 }
 
-vtkSmartPointer<vtkImageData> MesoReadVolumeFile(const std::string& fileName)
+vtkSmartPointer<vtkImageData> MesoReadVolumeFile(const std::string& fileName, MesoSamples samples)
 {
   const std::string extension = MesoExtensionOf(fileName);
   if (extension == ".tif" || extension == ".tiff")
   {
-    return ReadStack(fileName);
+    return ReadStack(fileName, samples);
   }
   const auto& known = MesoVolumeExtensions();
   if (std::find(known.begin(), known.end(), extension) == known.end())

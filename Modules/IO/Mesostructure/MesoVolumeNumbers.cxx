@@ -15,7 +15,7 @@
 namespace
 {
 /// Fills all of `target`; returns what is wrong with the bytes, or an empty text.
-std::string Inflate(const std::string& bytes, char* target, std::size_t count)
+std::string Inflate(std::string_view bytes, char* target, std::size_t count)
 {
   z_stream stream = {};
   constexpr int AnyHeader = 15 + 32; // gzip or zlib, whichever it is
@@ -47,9 +47,9 @@ void SwapBytes(char* values, std::size_t count, int size)
 }
 
 /// Numbers of a text; returns what is wrong with it, or an empty text.
-std::string ReadText(const std::string& text, vtkDataArray* target)
+std::string ReadText(std::string_view text, vtkDataArray* target)
 {
-  const char* place = text.c_str();
+  const char* place = text.data();
   for (vtkIdType i = 0; i < target->GetNumberOfTuples(); ++i)
   {
     char* end = nullptr;
@@ -66,7 +66,29 @@ std::string ReadText(const std::string& text, vtkDataArray* target)
     target->SetTuple1(i, number);
     place = end;
   }
+  const std::string_view rest = text.substr(static_cast<std::size_t>(place - text.data()));
+  if (rest.find_first_not_of(" \t\r\n\f\v") != std::string_view::npos)
+  {
+    return "has more than the " + std::to_string(target->GetNumberOfTuples()) +
+      " numbers that it says";
+  }
   return {};
+}
+
+/// The bytes of the numbers, without what is before them.
+std::string_view NumbersIn(
+  std::string_view bytes, const MesoVolumeHeader& header, std::size_t wanted)
+{
+  for (std::size_t lines = 0; lines < header.SkippedLines && !bytes.empty(); ++lines)
+  {
+    const std::size_t end = bytes.find('\n');
+    bytes.remove_prefix(end == std::string_view::npos ? bytes.size() : end + 1);
+  }
+  const bool isAtEnd = header.IsAtEnd && header.Encoding == MesoVolumeHeader::Coding::Raw;
+  const std::size_t skipped = isAtEnd ? bytes.size() - std::min(bytes.size(), wanted)
+                                      : std::min(bytes.size(), header.SkippedBytes);
+  bytes.remove_prefix(skipped);
+  return bytes;
 }
 
 bool IsBigEndianHere()
@@ -77,31 +99,21 @@ bool IsBigEndianHere()
 }
 
 vtkSmartPointer<vtkImageData> MesoDecodeVolume(
-  const MesoVolumeHeader& header, const std::string& bytes, const std::string& fileName)
+  const MesoVolumeHeader& header, std::string_view all, const std::string& fileName)
 {
   const auto fail = [&](const std::string& reason)
   { throw MesoInputError(fileName + ": " + reason); };
-  if (header.Type == VTK_VOID)
-  {
-    fail("does not say of what type its numbers are");
-  }
-  const auto [least, most] = std::minmax_element(header.Size.begin(), header.Size.end());
-  if (*least < 1 || *most > MesoVolumeLargestSide)
-  {
-    fail("is of " + std::to_string(header.Size[0]) + " x " + std::to_string(header.Size[1]) +
-      " x " + std::to_string(header.Size[2]) + " samples; allowed are 1 to " +
-      std::to_string(MesoVolumeLargestSide) + " a side");
-  }
   for (const double spacing : header.Spacing)
   {
-    if (!(std::abs(spacing) > 0.) || !std::isfinite(spacing))
+    if (!(spacing > 0.) || !std::isfinite(spacing))
     {
-      fail("has a spacing that is 0 or no number");
+      fail("has a spacing that is not above 0");
     }
   }
   const std::size_t count =
     std::size_t(header.Size[0]) * std::size_t(header.Size[1]) * std::size_t(header.Size[2]);
   const auto typeSize = std::size_t(vtkDataArray::GetDataTypeSize(header.Type));
+  const std::string_view bytes = NumbersIn(all, header, count * typeSize);
   // zlib makes at most 1032 bytes of one.
   constexpr std::uint64_t mostOfOne = 1100;
   const std::uint64_t mostHeld = header.Encoding == MesoVolumeHeader::Coding::Gzip
@@ -118,8 +130,7 @@ vtkSmartPointer<vtkImageData> MesoDecodeVolume(
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(header.Size.data());
-  image->SetSpacing(
-    std::abs(header.Spacing[0]), std::abs(header.Spacing[1]), std::abs(header.Spacing[2]));
+  image->SetSpacing(header.Spacing.data());
   image->AllocateScalars(header.Type, 1);
   auto* values = static_cast<char*>(image->GetScalarPointer());
   std::string problem;

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 class vtkImageData;
 
@@ -31,13 +32,17 @@ struct MesoVolumeHeader
   int Type = VTK_VOID; ///< of VTK's
   bool IsBigEndian = false;
   Coding Encoding = Coding::Raw;
+  std::size_t SkippedLines = 0; ///< before the numbers
+  std::size_t SkippedBytes = 0; ///< behind these lines
+  bool IsAtEnd = false;         ///< the numbers, where they are raw, are the last bytes
 };
 
 /**
- * The image of a header and of the bytes that it speaks of. Throws MesoInputError "file: reason" where the
- * header makes no sense, or the numbers are fewer or more than it says.
+ * The image of a header, whose size and type have been checked, and of the bytes that it speaks of, behind which
+ * there is a 0. Throws MesoInputError "file: reason" where the spacing makes no sense, the numbers are fewer than it
+ * says, or, compressed or as text, more.
  */
 vtkSmartPointer<vtkImageData> MesoDecodeVolume(
-  const MesoVolumeHeader& header, const std::string& bytes, const std::string& fileName);
+  const MesoVolumeHeader& header, std::string_view bytes, const std::string& fileName);
 
 #endif

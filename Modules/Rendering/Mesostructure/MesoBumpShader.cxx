@@ -41,7 +41,7 @@ MesoShaderShape MesoBumpShader::GetShape() const
     shape.Defines = { { "MESO_HEIGHTS", "" },
       { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) } };
   }
-  shape.Chunks.emplace_back("Techniques/Bump.glsl");
+  shape.Chunks.insert(shape.Chunks.end(), { "Techniques/Bump.glsl", "Common/HorizonLight.glsl" });
   if (effects.Has(MesoEffect::Shading) && !mapped)
   {
     shape.Defines.emplace_back("MESO_SHADING", "");

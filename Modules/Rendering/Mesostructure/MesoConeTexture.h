@@ -10,9 +10,10 @@ class vtkMesoConeMap;
  * @brief The cones of free space over a height map (vtkMesoConeMap), or over levels of its pyramid, as a
  * texture.
  *
- * Two channels of 8 bits, apex and steepness; the four ways of travel lie in the quarters of a texture of
- * twice the map's width and height, so that one fetch gives a ray's cone. Levels above the map are a second
- * texture, side by side. See Shaders/Common/ConeAccess.glsl.
+ * Four channels of 8 bits, apex and steepness of two ways of travel; the other two lie in the right half of a
+ * texture of twice the map's width, so that one fetch gives a ray's cone. Those of levels above the map lie side
+ * by side above the map's, in the same texture, for a choice between two textures reads both on some devices. See
+ * Shaders/Common/ConeAccess.glsl.
  */
 class MesoConeTexture : public MesoMapTexture
 {

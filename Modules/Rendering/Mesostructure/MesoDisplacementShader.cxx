@@ -53,12 +53,12 @@ MesoShaderShape MesoDisplacementShader::GetShape() const
     shape.Traces = true;
     shape.UsesFrame = true;
     shape.Chunks = { "Kernels/Frame.glsl", "Common/ReliefFrame.glsl", "Techniques/Tessellated.glsl",
-      "Kernels/Horizon.glsl", "Techniques/Horizon.glsl" };
+      "Common/HorizonLight.glsl", "Kernels/Horizon.glsl", "Techniques/Horizon.glsl" };
     shape.Defines.emplace_back("MESO_SELF_SHADOW", "");
   }
   else
   {
-    shape.Chunks = { "Techniques/Tessellated.glsl" };
+    shape.Chunks = { "Techniques/Tessellated.glsl", "Common/HorizonLight.glsl" };
   }
   return shape;
 }

@@ -6,7 +6,6 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
-#include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -50,16 +49,17 @@ std::string MesoHeightLevelsTexture::Upload(vtkOpenGLRenderWindow* window, MesoW
 {
   int size[3];
   this->GetImage()->GetDimensions(size);
-  const int width = size[0];
-  const int height = std::max(size[1] / 2, 1);
-  std::vector<float> beside(std::size_t(width) * std::size_t(height), 0.f);
-  for (std::size_t number = 1; number < this->Levels.size(); ++number)
+  const std::size_t width = std::size_t(size[0]);
+  const std::size_t rows = std::size_t(size[1]);
+  const std::size_t height = this->Levels.size() > 1 ? rows + rows / 2 : rows;
+  std::vector<float> texels(width * height, 0.f);
+  for (std::size_t number = 0; number < this->Levels.size(); ++number)
   {
     int extent[3];
     this->Levels[number]->GetDimensions(extent);
     auto* from = static_cast<const float*>(
       this->Levels[number]->GetPointData()->GetScalars()->GetVoidPointer(0));
-    float* to = beside.data() + (width - ((2 * width) >> number));
+    float* to = texels.data() + (number == 0 ? 0 : rows * width + width - ((2 * width) >> number));
     for (int row = 0; row < extent[1]; ++row, from += extent[0], to += width)
     {
       std::copy(from, from + extent[0], to);
@@ -71,18 +71,15 @@ std::string MesoHeightLevelsTexture::Upload(vtkOpenGLRenderWindow* window, MesoW
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   if (!texture->Create2DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
-        1, VTK_FLOAT, beside.data()))
+        1, VTK_FLOAT, texels.data()))
   {
     return "the levels of the height map could not be made a texture";
   }
-  this->Bytes = beside.size() * sizeof(float);
+  this->Bytes = texels.size() * sizeof(float);
   return {};
 }
 
 void MesoHeightLevelsTexture::SetUniforms(vtkShaderProgram* program)
 {
-  if (this->SetSampler(program, "mesoHeightLevels") && program->IsUniformUsed("mesoLastLevel"))
-  {
-    program->SetUniformi("mesoLastLevel", static_cast<int>(this->Levels.size()) - 1);
-  }
+  this->SetSampler(program, "mesoHeightLevels");
 }

@@ -5,10 +5,11 @@
 
 /**
  * @class MesoHeightLevelsTexture
- * @brief The levels of a height map's pyramid above the map itself, as a texture to be read texel by texel.
+ * @brief A height map and the levels of its pyramid, as a texture to be read texel by texel.
  *
- * One float channel; the levels (MesoMakeHeightPyramid) lie side by side. A device's own pyramid is not asked
- * for: its texels are the device's, and quads of pixels share a level. See Shaders/Common/ConeAccess.glsl.
+ * One float channel; the levels (MesoMakeHeightPyramid) lie side by side above the map itself, for a choice between
+ * two textures reads both on some devices. A device's own pyramid is not asked for: its texels are the device's, and
+ * quads of pixels share a level. See Shaders/Common/ConeAccess.glsl.
  */
 class MesoHeightLevelsTexture : public MesoMapTexture
 {

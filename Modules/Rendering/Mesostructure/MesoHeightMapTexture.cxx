@@ -1,35 +1,14 @@
 #include "MesoHeightMapTexture.h"
 
+#include "MesoHeightPyramid.h"
 #include "MesoMapUpload.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
-
-namespace
-{
-/// Root mean square of the steps from texel to texel along one axis, times the texels of a tile.
-float SlopeOf(vtkImageData* image, const float* heights, int axis)
-{
-  int size[3];
-  image->GetDimensions(size);
-  const int stride = axis == 0 ? 1 : size[0];
-  double sum = 0.;
-  for (int row = 0; row + axis < size[1]; ++row)
-  {
-    const float* from = heights + std::ptrdiff_t(row) * size[0];
-    for (int column = 0; column + (1 - axis) < size[0]; ++column)
-    {
-      const double step = double(from[column + stride]) - from[column];
-      sum += step * step;
-    }
-  }
-  return static_cast<float>(std::sqrt(sum / (double(size[0]) * size[1])) * size[axis]);
-}
-}
 
 MesoHeightMapTexture::MesoHeightMapTexture()
   : MesoMapTexture(1)
@@ -59,20 +38,47 @@ std::string MesoHeightMapTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap
   }
   const std::size_t bytes = std::size_t(heights->GetNumberOfValues()) * sizeof(float);
   const auto* values = static_cast<const float*>(heights->GetVoidPointer(0));
-  for (int axis = 0; axis < 2; ++axis)
+  if (this->Mipmaps)
   {
-    this->Slope[axis] = SlopeOf(this->GetImage(), values, axis);
+    this->CompareLevels(values);
   }
   this->Bytes = this->Mipmaps ? bytes * 4 / 3 : bytes;
   return MesoUploadMap(
     this->Texture(), window, this->GetImage(), wrap, this->Mipmaps, "height map");
 }
 
+void MesoHeightMapTexture::CompareLevels(const float* heights)
+{
+  int size[3];
+  this->GetImage()->GetDimensions(size);
+  const auto pyramid = MesoMakeHeightPyramid(size[0], size[1], heights);
+  this->LastLevel = std::min(static_cast<int>(pyramid.size()), MostLevels - 1);
+  const std::array<double, 2> ofMap = MesoMeanSquareSlopes(size[0], size[1], heights);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    this->SlopesLost[0][axis] = static_cast<float>(ofMap[axis]);
+  }
+  for (int number = 1; number <= this->LastLevel; ++number)
+  {
+    const MesoHeightLevel& level = pyramid[std::size_t(number) - 1];
+    const std::array<double, 2> left =
+      MesoMeanSquareSlopes(level.Width, level.Height, level.Heights.data());
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      this->SlopesLost[number][axis] = static_cast<float>(std::max(ofMap[axis] - left[axis], 0.));
+    }
+  }
+}
+
 void MesoHeightMapTexture::SetUniforms(vtkShaderProgram* program)
 {
   this->SetSampler(program, "mesoHeightMap");
-  if (program->IsUniformUsed("mesoRootMeanSquareSlope"))
+  if (program->IsUniformUsed("mesoSlopesLost"))
   {
-    program->SetUniform2f("mesoRootMeanSquareSlope", this->Slope);
+    program->SetUniform2fv("mesoSlopesLost", MostLevels, this->SlopesLost);
+  }
+  if (program->IsUniformUsed("mesoLastLevel"))
+  {
+    program->SetUniformi("mesoLastLevel", this->LastLevel);
   }
 }

@@ -24,11 +24,17 @@ public:
   void SetUniforms(vtkShaderProgram* program) override;
 
 protected:
+  /// With a pyramid, tells its shader what each level lacks of the map's slopes.
   std::string Upload(vtkOpenGLRenderWindow* window, MesoWrap wrap) override;
 
 private:
+  void CompareLevels(const float* heights);
+
   bool Mipmaps = false;
-  float Slope[2] = { 0.f, 0.f }; ///< root mean square along u and v, height per map coordinate
+  static constexpr int MostLevels = 16; ///< ComparedLevels of Shaders/Kernels/LevelChoice.glsl
+  /// Mean square slopes along u and v: of the map, and how much of them each level of its pyramid lacks.
+  float SlopesLost[MostLevels][2] = {};
+  int LastLevel = 0;
 };
 
 #endif

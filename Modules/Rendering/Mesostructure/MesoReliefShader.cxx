@@ -79,8 +79,7 @@ bool MesoReliefShader::UsesCones() const
 
 bool MesoReliefShader::UsesLevels() const
 {
-  return this->UsesCones() && this->Options.Filter == MesoFilter::Auto &&
-    MesoSearchOf(this->Options) == MesoSearch::Certified;
+  return this->UsesCones() && this->Options.Filter == MesoFilter::Auto;
 }
 
 std::string MesoReliefShader::PrepareCones()
@@ -124,7 +123,8 @@ MesoShaderShape MesoReliefShader::GetShape() const
     shape.Chunks.insert(
       shape.Chunks.end(), { "Common/ConeAccess.glsl", "Kernels/HeightLevels.glsl" });
   }
-  shape.Chunks.emplace_back("Common/HeightSurface.glsl");
+  shape.Chunks.insert(
+    shape.Chunks.end(), { "Kernels/LevelChoice.glsl", "Common/HeightSurface.glsl" });
   shape.Chunks.insert(shape.Chunks.end(), way.Kernels.begin(), way.Kernels.end());
   shape.Chunks.insert(shape.Chunks.end(), { "Kernels/HeightHit.glsl", "Kernels/PathCut.glsl" });
   const MesoSearchSteps steps = this->Steps.value_or(MesoStepsOfQuality(this->Options.Quality));
@@ -133,13 +133,12 @@ MesoShaderShape MesoReliefShader::GetShape() const
     MesoNeedsBaseImage(this->Options) && this->Options.Curved == MesoCurvedKind::Surface;
   const int halvings = ontoBase ? std::min(steps.Binary, MostHalvingsOverBase) : steps.Binary;
   const int refining = search == MesoSearch::LinearSecant ? (halvings + 1) / 2 : halvings;
-  // Equal steps are for levels of the map's pyramid in any case.
-  shape.Chunks.insert(
-    shape.Chunks.end(), { "Kernels/LinearSearch.glsl", "Kernels/LinearBinarySearch.glsl" });
   const char* bounds =
     MesoNeedsBaseImage(this->Options) ? "Kernels/CubicCone.glsl" : "Kernels/HeightCone.glsl";
-  const std::vector<std::string> chunksOfSearch[] = { {}, { "Kernels/LinearSecantSearch.glsl" },
-    { "Kernels/ConeTexel.glsl", bounds, "Kernels/ConeSearch.glsl" },
+  const std::vector<std::string> chunksOfSearch[] = { { "Kernels/LinearSearch.glsl",
+                                                        "Kernels/LinearBinarySearch.glsl" },
+    { "Kernels/LinearSearch.glsl", "Kernels/LinearSecantSearch.glsl" },
+    { "Kernels/ConeTexel.glsl", bounds, "Kernels/LinearSearch.glsl", "Kernels/ConeSearch.glsl" },
     { "Kernels/ConeTexel.glsl", bounds, "Kernels/CertifiedSearch.glsl" } };
   const auto& searchChunks = chunksOfSearch[static_cast<int>(search)];
   shape.Chunks.insert(shape.Chunks.end(), searchChunks.begin(), searchChunks.end());

@@ -4,6 +4,7 @@
 #include "MesoGDMInput.h"
 #include "MesoHeightVolume.h"
 #include "MesoScene.h"
+#include "MesoShellShader.h"
 #include "MesoVolumeInput.h"
 #include "vtkImageData.h"
 #include "vtkMesoPrismShell.h"
@@ -53,10 +54,9 @@ vtkSmartPointer<vtkPolyData> MesoMakeShell(vtkPolyData* base, vtkImageData* volu
   shell->SetReference(options.Reference);
   shell->SetTiles(options.Tiles[0], options.Tiles[1]);
   shell->SetInnerFins(options.Exits == MesoExits::Interpolated);
-  if (options.Technique == MesoTechnique::Slices)
+  if (options.Technique == MesoTechnique::Slices && options.Stack == MesoStack::Prism)
   {
-    const double slices = volume->GetDimensions()[2] * MesoFacetsPerTexel(options.Quality);
-    shell->SetSlices(std::max(1, static_cast<int>(slices)));
+    shell->SetSlices(MesoSlicesOf(*volume, options.Quality));
   }
   MesoRunAlgorithm(shell, inScene + ".mesh", warnings);
   const std::vector<vtkIdType>& inverted = shell->GetInvertedTriangles();

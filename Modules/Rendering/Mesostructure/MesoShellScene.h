@@ -18,8 +18,8 @@ struct MesoSceneMaterial;
 struct MesoSceneNode;
 
 /**
- * The shell over a node's mesh (vtkMesoPrismShell), as thick as the options' Scale; of the technique Slices,
- * cut into 1/4, 1/2, 1 or 2 slices for each of the volume's, as the quality says. Prisms that turn over
+ * The shell over a node's mesh (vtkMesoPrismShell), as thick as the options' Scale; of the technique Slices
+ * and the Stack Prism cut into slices (MesoSlicesOf). Prisms that turn over
  * are warned of. Throws MesoInputError where there is no such shell, or where the options' effects are
  * such that are only shown together.
  *

@@ -1,5 +1,6 @@
 #include "MesoShellShader.h"
 
+#include "vtkImageData.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -46,6 +47,11 @@ const char* CorrectionsOf(MesoQuality quality)
 }
 }
 
+int MesoSlicesOf(vtkImageData& volume, MesoQuality quality)
+{
+  return std::max(1, static_cast<int>(volume.GetDimensions()[2] * MesoFacetsPerTexel(quality)));
+}
+
 void MesoShellShader::SetVolume(vtkImageData* volume)
 {
   this->Volume.SetVolume(volume);
@@ -88,7 +94,15 @@ MesoShaderShape MesoShellShader::GetShape() const
   }
   if (this->Options.Technique == MesoTechnique::Slices)
   {
-    add({ "Techniques/Slices.glsl" });
+    add({ "Common/SliceMatter.glsl" });
+    if (this->Options.Stack == MesoStack::Screen)
+    {
+      add({ "Common/PrismShell.glsl", "Common/PrismWalk.glsl", "Techniques/SlicesOnScreen.glsl" });
+    }
+    else
+    {
+      add({ "Techniques/Slices.glsl" });
+    }
   }
   else
   {
@@ -100,9 +114,9 @@ MesoShaderShape MesoShellShader::GetShape() const
       shape.VertexChunks = { "Common/PrismVertex.glsl", "Kernels/Prism.glsl",
         "Common/PrismAccess.glsl" };
     }
-    add(
-      { "Common/PrismShell.glsl", interpolated ? "Common/PrismExits.glsl" : "Common/PrismWalk.glsl",
-        this->UsesTable() ? "Techniques/GDM.glsl" : "Techniques/ShellSDF.glsl" });
+    add({ "Common/PrismShell.glsl",
+      interpolated ? "Common/PrismExits.glsl" : "Common/PrismWalk.glsl", "Common/PrismPieces.glsl",
+      this->UsesTable() ? "Techniques/GDM.glsl" : "Techniques/ShellSDF.glsl" });
   }
   // Prisms bend with the mesh by themselves.
   shape.DefineEffects(effects.Without({ MesoEffect::Curvature }));
@@ -138,6 +152,11 @@ void MesoShellShader::SetUniforms(vtkShaderProgram* program)
   for (MesoMapTexture* texture : this->Textures())
   {
     texture->SetUniforms(program);
+  }
+  if (program->IsUniformUsed("mesoSliceSpacing"))
+  {
+    const int slices = MesoSlicesOf(*this->GetVolume(), this->Options.Quality);
+    program->SetUniformf("mesoSliceSpacing", static_cast<float>(this->Options.Scale / slices));
   }
 }
 

@@ -47,4 +47,7 @@ private:
   MesoGDMTexture Table;
 };
 
+/// Slices across the shell's thickness: 1/4, 1/2, 1 or 2 for each of the volume's, as the quality says.
+int MesoSlicesOf(vtkImageData& volume, MesoQuality quality);
+
 #endif

@@ -12,11 +12,16 @@
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace
 {
 constexpr int Four = 4;
+
+/// Texels of functions for each polar angle, over the tangents of half of them: so many that they are
+/// those of linear interpolation between the angles.
+constexpr int HalfTangentsAPolar = 32;
 
 const char* NameOf(MesoVDMPart::Kind kind)
 {
@@ -154,23 +159,44 @@ std::string MesoVDMPart::UploadWeights(vtkOpenGLRenderWindow* window)
   return {};
 }
 
+double MesoVDMPart::FunctionAt(
+  vtkDataArray* functions, int factor, double place, int curvature) const
+{
+  const bool ofAngles = this->ThisKind == Kind::AngleFunctions;
+  if (factor >= std::min(this->Ranks[ofAngles ? 1 : 0], functions->GetNumberOfComponents()))
+  {
+    return 0.;
+  }
+  const int count = ofAngles ? 1 : this->Layout.Polars;
+  const int low = std::min(static_cast<int>(place), std::max(count - 2, 0));
+  const int high = std::min(low + 1, count - 1);
+  const auto at = [&](int polar)
+  { return functions->GetComponent(vtkIdType(curvature) * count + polar, factor); };
+  const double width = this->SpanOf(factor)[1];
+  return (width > 0. ? width : 1.) * (at(low) + (place - low) * (at(high) - at(low)));
+}
+
 std::string MesoVDMPart::UploadFunctions(vtkOpenGLRenderWindow* window)
 {
   const bool ofAngles = this->ThisKind == Kind::AngleFunctions;
   vtkDataArray* functions =
     this->GetImage()->GetFieldData()->GetArray(ofAngles ? "MVMFunctions" : "VDMFunctions");
-  const int width = ofAngles ? this->Layout.Curvatures : this->Layout.Polars;
+  // The largest angles' lie over the curvature alone.
+  const int width = ofAngles ? this->Layout.Curvatures : HalfTangentsAPolar * this->Layout.Polars;
   const int height = ofAngles ? 1 : this->Layout.Curvatures;
-  const int rank = std::min(this->Ranks[ofAngles ? 1 : 0], functions->GetNumberOfComponents());
-  std::vector<float> texels(std::size_t(Four) * width * height, 0.f);
-  for (int i = 0; i < Four; ++i)
+  std::vector<float> texels;
+  texels.reserve(std::size_t(Four) * width * height);
+  for (int row = 0; row < height; ++row)
   {
-    const int factor = Four * this->Group + i;
-    const double scale = this->SpanOf(factor)[1] > 0. ? this->SpanOf(factor)[1] : 1.;
-    for (int tuple = 0; factor < rank && tuple < width * height; ++tuple)
+    for (int column = 0; column < width; ++column)
     {
-      texels[std::size_t(Four) * tuple + i] =
-        static_cast<float>(scale * functions->GetComponent(tuple, factor));
+      const double polar = 2. * std::atan((column + 0.5) / width);
+      const double place = ofAngles ? 0. : this->Layout.PolarPlace(polar);
+      for (int i = 0; i < Four; ++i)
+      {
+        texels.push_back(static_cast<float>(
+          this->FunctionAt(functions, Four * this->Group + i, place, ofAngles ? column : row)));
+      }
     }
   }
   vtkTextureObject* texture = this->Texture();

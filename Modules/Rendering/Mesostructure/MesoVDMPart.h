@@ -6,6 +6,8 @@
 
 #include <array>
 
+class vtkDataArray;
+
 /**
  * @class MesoVDMPart
  * @brief One texture of a table of view-dependent displacements (vtkMesoVDM).
@@ -18,7 +20,7 @@ public:
   enum class Kind
   {
     Weights,        ///< of four factors, over map and azimuth
-    Functions,      ///< of four factors, over polar angle and curvature
+    Functions,      ///< of four factors, over half the polar angle's tangent and curvature
     AngleFunctions, ///< of four factors, over curvature
     Table,          ///< the table itself, polar angles in fours
     Angles          ///< and its largest angles, curvatures in fours
@@ -39,6 +41,8 @@ private:
   bool IsPartOf(const std::array<int, 2>& ranks) const;
   std::string UploadWeights(vtkOpenGLRenderWindow* window);
   std::string UploadFunctions(vtkOpenGLRenderWindow* window);
+  /// A function's value where a texture has it: `place` among the polar angles; 0 of what is not used.
+  double FunctionAt(vtkDataArray* functions, int factor, double place, int curvature) const;
   std::string UploadSlices(vtkOpenGLRenderWindow* window);
   /// The first number of a factor's weights, and the number that 1 in the texture lies above it.
   std::array<double, 2> SpanOf(int factor) const;

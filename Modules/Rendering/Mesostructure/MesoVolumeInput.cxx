@@ -173,7 +173,7 @@ vtkSmartPointer<vtkImageData> MesoColoredVolume(
   colored->ShallowCopy(volume);
   try
   {
-    problem = MesoSetVolumeColors(colored, MesoReadVolumeFile(file));
+    problem = MesoSetVolumeColors(colored, MesoReadVolumeFile(file, MesoSamples::Colors));
   }
   catch (const MesoInputError& failure)
   {

@@ -112,8 +112,10 @@ void vtkMesoShellMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor
 {
   this->Shell->SetShell(this->CurrentInput);
   this->Superclass::RenderPieceStart(renderer, actor);
-  // Backs of faces answer for rays that start within a prism, and only for those. Slices have no backs.
-  const bool sliced = this->GetOptions().Technique == MesoTechnique::Slices;
+  // Backs of faces answer for rays that start within a prism, and only for those. Slices of prisms have no backs.
+  const MesoMesostructureOptions& options = this->GetOptions();
+  const bool sliced =
+    options.Technique == MesoTechnique::Slices && options.Stack == MesoStack::Prism;
   if (sliced || ReachesNearPlane(renderer, actor))
   {
     StateOf(renderer)->vtkglDisable(GL_CULL_FACE);

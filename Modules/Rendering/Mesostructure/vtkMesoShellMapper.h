@@ -17,8 +17,11 @@
  * - ShellSDF: along its signed distance, by steps as long as that is (sphere tracing). The quality says how
  *   short the shortest steps are: 1, 1/2, 1/4, 1/8 voxel.
  *
- * - Slices: not at all; the input is a stack of slices of each prism (vtkMesoPrismShell's Slices), and what
- *   of them lies in matter is drawn, from both sides (Meyer1998).
+ * - Slices: not at all; with the options' Stack Prism the input is a stack of slices of each prism
+ *   (vtkMesoPrismShell's Slices), and what of them lies in matter is drawn, from both sides (Meyer1998). With
+ *   Screen slices are parallel to the projection plane, at the same depths before the eye in all prisms,
+ *   counted from the shell's middle, the Scale apart divided by 1/4, 1/2, 1 or 2 (the quality) for each of the
+ *   volume's slices; the input is the shell, and the first slice in matter on a ray's way is drawn.
  * - GDM: by one look-up of the distance to matter in a Table of it (vtkMesoGDMTable) for each piece of a
  *   ray's way, and one for each light. The quality Full is a whole table.
  *

@@ -13,7 +13,7 @@ public:
   MesoShaderShape GetShape() const override
   {
     MesoShaderShape shape;
-    shape.Chunks = { "Techniques/Tessellated.glsl" };
+    shape.Chunks = { "Techniques/Tessellated.glsl", "Common/HorizonLight.glsl" };
     shape.Attributes = { { "mesoRelief", "MesoRelief" } };
     shape.Displaced = true;
     return shape;
