@@ -69,6 +69,7 @@ vec2 surfaceFacet(vec2 uv)
 #ifdef MESO_FILTER
 uniform vec2 mesoSlopesLost[ComparedLevels]; // as Kernels/LevelChoice has them
 uniform int mesoLastLevel;                   // of the pyramid
+vec2 mesoSlopesLacking = vec2(0.0);          // of what is shaded: mean squares, object space
 
 // For the steps of the base mesh's map coordinate from a pixel to its neighbours.
 void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
@@ -80,5 +81,44 @@ void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
     levelsOfPixel(mapDx * size, mapDy * size, mesoSlopesLost, perLength, mesoLastLevel);
   mesoSearchedLevel = levels.Searched;
   mesoShadedLevel = levels.Shaded;
+  mesoSlopesLacking = levels.Shaded > 0.0
+    ? slopesLacking(levels.Shaded, mesoSlopesLost, perLength)
+    : vec2(0.0);
+}
+
+// A direction in the frame of the base: along u, across it, along its normal.
+vec3 directionOverBase(MesoFragment f, vec3 directionVC)
+{
+  vec3 normal = normalize(-f.PerDepth);
+  vec3 along = normalize(f.PerMapU - dot(normal, f.PerMapU) * normal);
+  return vec3(
+    dot(along, directionVC), dot(cross(normal, along), directionVC), dot(normal, directionVC));
+}
+
+bool isAveraged()
+{
+  return mesoSlopesLacking.x + mesoSlopesLacking.y > 0.0;
+}
+
+vec2 meanSlope(MesoFragment f, vec3 normalVC)
+{
+  vec3 normal = directionOverBase(f, normalVC);
+  return -normal.xy / max(normal.z, 1.0e-3);
+}
+
+float averagedCosine(vec3 normalVC, vec3 lightOutVC)
+{
+  MesoFragment f = mesoFragment;
+  return isAveraged() ? meanCosine(directionOverBase(f, -f.ViewVC),
+                          directionOverBase(f, lightOutVC), meanSlope(f, normalVC), mesoSlopesLacking)
+                      : max(0.0, dot(normalVC, lightOutVC));
+}
+
+// The share of a light that what has been averaged away does not block.
+float averagedShare(MesoFragment f, vec3 normalVC, vec3 lightOutVC)
+{
+  return isAveraged() ? litShare(directionOverBase(f, -f.ViewVC),
+                          directionOverBase(f, lightOutVC), meanSlope(f, normalVC), mesoSlopesLacking)
+                      : 1.0;
 }
 #endif

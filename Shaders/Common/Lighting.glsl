@@ -147,11 +147,20 @@ void shadeHeadlight(vec3 radiance, vec3 normalVC, vec3 diffuseColor, float specu
 #endif
 }
 
+#ifdef MESO_FILTER
+float averagedCosine(vec3 normalVC, vec3 lightOutVC); // Common/HeightSurface
+#else
+float averagedCosine(vec3 normalVC, vec3 lightOutVC)
+{
+  return dot(normalVC, lightOutVC);
+}
+#endif
+
 void shade(int index, vec3 radiance, vec3 normalVC, vec3 positionVC, float specularPower)
 {
   MesoLight light = mesoLights[index];
   radiance = unblocked(index, radiance);
-  float df = max(0.0, light.Attenuation * dot(normalVC, -light.TravelVC));
+  float df = max(0.0, light.Attenuation * averagedCosine(normalVC, -light.TravelVC));
   mesoDiffuse += df * radiance;
 #ifdef MESO_SPECULAR
   float sf = sign(df) * light.Attenuation *

@@ -55,3 +55,11 @@ PixelLevels levelsOfPixel(
   chosen.Shaded = levels.y > 0.0 ? levels.y : 0.0;
   return chosen;
 }
+
+// What is lacking of the map's mean square slopes along u and v, object space, between two levels.
+vec2 slopesLacking(float level, const vec2 lost[ComparedLevels], vec2 perLength)
+{
+  int below = min(int(level), ComparedLevels - 2);
+  vec2 from = below > 0 ? lost[below] : vec2(0.0);
+  return mix(from, lost[below + 1], clamp(level - float(below), 0.0, 1.0)) * perLength;
+}

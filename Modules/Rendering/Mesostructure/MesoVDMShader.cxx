@@ -132,7 +132,7 @@ MesoShaderShape MesoVDMShader::GetShape() const
   shape.UseFrame();
   shape.WritesDepth = effects.Has(MesoEffect::Depth);
   shape.Chunks = { "Common/HeightAccess.glsl", "Common/HeightLevels.glsl", "Kernels/Frame.glsl",
-    "Kernels/HeightField.glsl", "Kernels/HeightBilinear.glsl", "Kernels/LevelChoice.glsl",
+    "Kernels/HeightField.glsl", "Kernels/HeightBilinear.glsl", "Kernels/LevelChoice.glsl", "Kernels/RoughRelief.glsl",
     "Common/HeightSurface.glsl", "Kernels/Quadric.glsl", "Kernels/VDMTable.glsl",
     "Common/VDMAccess.glsl", "Common/ReliefFrame.glsl", "Common/ReliefSurface.glsl",
     "Techniques/VDM.glsl" };
