@@ -33,6 +33,7 @@ struct BaseState
   float Depth;
   vec3 Rate;     // of u, v and depth along the ray, over the smooth surface that N stands for
   float Bend;    // half the second derivative of the depth, negated
+  vec2 MapBend;  // that of u and v, as far as the ray's depth changes it
   float Turn;    // |dN/dt|
   vec3 Miss;     // what the last step moved: u, v, depth
   float Off;     // by how many radians the base turns over that
@@ -94,11 +95,11 @@ BasePoint baseAt(vec2 map)
   return base;
 }
 
-// One step of Newton's method towards the coordinates of a point, and the ray's rates at the guess.
-// scale: D; direction: of the ray, per unit of its time.
-BaseState stepToBase(vec2 map, float depth, float scale, vec3 point, vec3 direction)
+// One step of Newton's method towards the coordinates of a point, from the base there, and the ray's
+// rates at the guess. scale: D; direction: of the ray, per unit of its time.
+BaseState stepFrom(
+  BasePoint base, vec2 map, float depth, float scale, vec3 point, vec3 direction)
 {
-  BasePoint base = baseAt(map);
   vec3 alongU = base.PerU - depth * scale * base.NormalPerU;
   vec3 alongV = base.PerV - depth * scale * base.NormalPerV;
   vec3 away = point - (base.Position - depth * scale * base.Normal);
@@ -128,17 +129,25 @@ BaseState stepToBase(vec2 map, float depth, float scale, vec3 point, vec3 direct
   state.Turn = length(turn);
   state.Off = length(state.Miss.x * base.NormalPerU + state.Miss.y * base.NormalPerV);
   state.Bend = -0.5 * dot(inPlane, turn) * perDepth;
+  // The deeper, the more the base's turning stretches the map along the ray.
+  state.MapBend =
+    (scale * state.Rate.z * perVolume) * vec2(dot(turn, acrossV), dot(turn, acrossU));
   return state;
+}
+
+BaseState stepToBase(vec2 map, float depth, float scale, vec3 point, vec3 direction)
+{
+  return stepFrom(baseAt(map), map, depth, scale, point, direction);
 }
 
 // A step that turns the base by less leaves a depth that is right to half its square times the radius
 // of curvature.
-const float BaseNearEnough = 0.05;
+const float BaseNearEnough = 0.025;
 
 // The ray's state after a time: a parabola's guess, then Newton's steps, few as they suffice.
 BaseState nextOverBase(BaseState from, float time, float scale, vec3 point, vec3 direction, int steps)
 {
-  vec2 map = from.MapCoord + time * from.Rate.xy;
+  vec2 map = from.MapCoord + time * (from.Rate.xy + time * from.MapBend);
   float depth = from.Depth + time * (from.Rate.z - time * from.Bend);
   BaseState state = from;
   bool near = false;

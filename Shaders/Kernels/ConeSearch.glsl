@@ -74,7 +74,7 @@ HeightHit searchCone(HeightPath path, int mostSteps, int binarySteps)
       search.TexelReads += 4;
     }
   }
-  return search.Hit ? hitAtPart(path, partBetween(bracket), search) : search;
+  return search.Hit ? hitInBracket(path, bracket, search) : search;
 }
 
 // As occludedLinear, by at most as many steps of any length.

@@ -16,6 +16,7 @@ struct HeightHit
   float RayDepth; // depth of the path at the hit
   vec2 MapCoord;  // map coordinate at the hit, not wrapped
   float Relief;   // depth at the hit, [0,1]
+  float Closing;  // by what the clearance shrinks per part of the path there; 0 is not known
   int Iterations; // steps of the search
   int Fetches;    // samples of a map: a patch of four texels counts as one
   int TexelReads; // texels behind them
@@ -36,6 +37,7 @@ HeightHit noHit()
   hit.RayDepth = 0.0;
   hit.MapCoord = vec2(0.0);
   hit.Relief = 0.0;
+  hit.Closing = 0.0;
   hit.Iterations = 0;
   hit.Fetches = 0;
   hit.TexelReads = 0;

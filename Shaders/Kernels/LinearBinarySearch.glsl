@@ -31,5 +31,5 @@ HeightHit searchLinearBinary(HeightPath path, int linearSteps, int binarySteps)
     }
   }
   search.TexelReads = 4 * search.Fetches;
-  return search.Hit ? hitAtPart(path, partBetween(bracket), search) : search;
+  return search.Hit ? hitInBracket(path, bracket, search) : search;
 }

@@ -37,23 +37,24 @@ HeightBracket bracketByEqualSteps(HeightPath near, int linearSteps, inout Height
 
   int steps = max(linearSteps, 1);
   float stepPart = 1.0 / float(steps);
-  for (int i = 1; i <= steps; ++i)
+  while (!search.Hit && search.Iterations < steps)
   {
-    float part = i < steps ? float(i) * stepPart : 1.0;
-    vec2 uv = pathMap(near, part);
-    search.Iterations = i;
-    search.Fetches += 1;
-    if ((1.0 - sampleHeight(uv)) - pathDepth(near, part) <= 0.0)
+    // The loop that runs often holds nothing but samples: some devices do even what a condition skips.
+    float part;
+    bool suspected;
+    do
     {
-      float clearance = exactClearance(near, part);
+      search.Iterations += 1;
       search.Fetches += 1;
-      if (clearance <= 0.0)
-      {
-        search.Hit = true;
-        bracket.PartInside = part;
-        bracket.ClearanceInside = clearance;
-        break;
-      }
+      part = search.Iterations < steps ? float(search.Iterations) * stepPart : 1.0;
+      suspected = (1.0 - sampleHeight(pathMap(near, part))) - pathDepth(near, part) <= 0.0;
+    } while (!suspected && search.Iterations < steps);
+    if (suspected)
+    {
+      bracket.PartInside = part;
+      bracket.ClearanceInside = exactClearance(near, part);
+      search.Fetches += 1;
+      search.Hit = bracket.ClearanceInside <= 0.0;
     }
   }
   if (!search.Hit)
@@ -110,6 +111,16 @@ float partBetween(HeightBracket bracket)
   return between < 1.0
     ? bracket.PartAbove + between * (bracket.PartInside - bracket.PartAbove)
     : bracket.PartInside;
+}
+
+// The hit between the bracket's ends, after the work that `search` counts.
+HeightHit hitInBracket(HeightPath path, HeightBracket bracket, HeightHit search)
+{
+  HeightHit hit = hitAtPart(path, partBetween(bracket), search);
+  float width = bracket.PartInside - bracket.PartAbove;
+  hit.Closing =
+    width > 0.0 ? (bracket.ClearanceAbove - bracket.ClearanceInside) / width : 0.0;
+  return hit;
 }
 
 // 1.0 where the relief blocks a path out of it, else 0.0. The samples are the middles of `steps`

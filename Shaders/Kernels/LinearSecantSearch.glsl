@@ -44,5 +44,5 @@ HeightHit searchLinearSecant(HeightPath path, int linearSteps, int secantSteps)
     }
   }
   search.TexelReads = 4 * search.Fetches;
-  return search.Hit ? hitAtPart(path, partBetween(bracket), search) : search;
+  return search.Hit ? hitInBracket(path, bracket, search) : search;
 }

@@ -9,6 +9,7 @@
 //   MESO_SILHOUETTE   rays that come back are not drawn; without it, they draw the base
 uniform vec3 mesoBaseCentreVC; // what the image's positions are counted from
 uniform mat3 mesoNormalMatrix;
+uniform mat3 mesoViewToModel; // of directions
 
 // Pieces that a ray may have; Newton's steps for each point.
 #ifdef MESO_BASE_BENT
@@ -16,7 +17,7 @@ const int MESO_BASE_PIECES = 2 * MESO_LINEAR_STEPS;
 #else
 const int MESO_BASE_PIECES = 24;
 #endif
-const int MESO_BASE_NEWTON = 4;
+const int MESO_BASE_NEWTON = 6;
 
 // A straight ray in the image's space, per unit of view space length.
 struct BaseRay
@@ -27,10 +28,9 @@ struct BaseRay
 
 BaseRay rayOverBase(vec3 startVC, vec3 directionVC)
 {
-  mat3 toModel = inverse(mesoModelToView);
   BaseRay ray;
-  ray.Start = toModel * (startVC - mesoBaseCentreVC);
-  ray.Direction = toModel * directionVC;
+  ray.Start = mesoViewToModel * (startVC - mesoBaseCentreVC);
+  ray.Direction = mesoViewToModel * directionVC;
   return ray;
 }
 
@@ -71,7 +71,7 @@ BasePiece nextPiece(BaseRay ray, BaseState from, float time, float whole, float 
     piece.End = nextOverBase(from, piece.Length, mesoScale,
       ray.Start + (time + piece.Length) * ray.Direction, ray.Direction, MESO_BASE_NEWTON);
     sound = piece.End.Known;
-    turn = 0.25 * turn;
+    turn = 0.25 * piece.Length;
   }
   float share = piece.Length / whole;
   vec3 rateStart = from.Rate;
@@ -106,20 +106,31 @@ bool isTooLong(HeightPath path)
   return !(abs(path.MapSpan.x) + abs(path.MapSpan.y) < MESO_MAX_TILES);
 }
 
+BasePoint mesoBaseBelow; // where the search's hit is, a fraction of a texel from the hit
+
+// The base below a hit.
+BasePoint baseAtHit(MesoSurfaceHit hit)
+{
+#ifdef MESO_OCCLUSION
+  return mesoBaseBelow;
+#else
+  return baseAt(hit.MapCoord);
+#endif
+}
+
 // A hit on the cubic, moved along the ray to where the base itself has it: one step of Newton's method
 // for the place, and one for the time, no longer than a step of the search.
-void moveOntoBase(BaseRay ray, float stepLength, inout float time, inout HeightHit found)
+void moveOntoBase(BaseRay ray, BasePiece piece, inout float time, inout HeightHit found)
 {
-  BaseState state = stepToBase(found.MapCoord, found.RayDepth, mesoScale,
+  BaseState state = stepFrom(mesoBaseBelow, found.MapCoord, found.RayDepth, mesoScale,
     ray.Start + time * ray.Direction, ray.Direction);
-  found.Fetches += 8;
-  found.TexelReads += 8;
   if (!state.Known || !(state.Off < BaseNearEnough))
   {
     return;
   }
   float clearance = (1.0 - surfaceHeight(state.MapCoord)) - state.Depth;
-  float closing = dot(searchedSlope(state.MapCoord), state.Rate.xy) + state.Rate.z;
+  float closing = found.Closing > 0.0 ? found.Closing / piece.Length : state.Rate.z;
+  float stepLength = piece.Length / float(pathSteps(piece.Path, MESO_LINEAR_STEPS));
   float further = closing > 0.0 ? clamp(clearance / closing, -stepLength, stepLength) : 0.0;
   vec2 map = state.MapCoord + further * state.Rate.xy;
   float depth = state.Depth + further * state.Rate.z;
@@ -133,8 +144,8 @@ void moveOntoBase(BaseRay ray, float stepLength, inout float time, inout HeightH
   found.MapCoord = map;
   found.RayDepth = depth;
   found.Relief = clamp(depth, 0.0, 1.0);
-  found.Fetches += 3;
-  found.TexelReads += 12;
+  found.Fetches += 2;
+  found.TexelReads += 8;
 }
 
 bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
@@ -147,6 +158,7 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
     state.Turn = 0.0;
     state.Known = directionInTS(f, f.ViewVC, state.Rate);
     state.Bend = quadricDepth(f.Quadric, state.Rate.xy);
+    state.MapBend = vec2(0.0);
     if (!state.Known)
     {
       return false;
@@ -198,10 +210,11 @@ bool followRay(MesoFragment f, inout MesoSurfaceHit hit)
     found.Fetches = fetches;
     found.TexelReads = reads;
     found.Iterations = iterations;
+    mesoBaseBelow = baseAt(found.MapCoord);
 #ifndef MESO_BASE_BENT
     if (time > 0.0)
     {
-      moveOntoBase(ray, piece.Length / float(pathSteps(piece.Path, MESO_LINEAR_STEPS)), time, found);
+      moveOntoBase(ray, piece, time, found);
     }
 #endif
     hit.RayLength = max(time, 0.0);
@@ -223,7 +236,7 @@ vec3 reliefNormal(MesoFragment f, MesoSurfaceHit hit, vec2 gradient)
   {
     return f.NormalVC;
   }
-  BasePoint base = baseAt(hit.MapCoord);
+  BasePoint base = baseAtHit(hit);
   if (!base.Known)
   {
     return normalOfCross(f,
@@ -254,8 +267,8 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
   {
     ray.Start = under.Position - depth * mesoScale * under.Normal;
   }
-  ray.Start += inverse(mesoModelToView) * (toView * lift);
-  BaseState state = stepToBase(hit.MapCoord, depth, mesoScale, ray.Start, ray.Direction);
+  ray.Start += mesoViewToModel * (toView * lift);
+  BaseState state = stepFrom(under, hit.MapCoord, depth, mesoScale, ray.Start, ray.Direction);
   if (!state.Known)
   {
     vec2 gradient = quadricGradient(f.Quadric, hit.MapCoord - f.MapCoord);
@@ -263,6 +276,7 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
     state.Depth = hit.Relief + lift.z - dot(gradient, lift.xy);
     state.Rate = vec3(travel.xy, travel.z - dot(gradient, travel.xy));
     state.Bend = quadricDepth(f.Quadric, travel.xy);
+    state.MapBend = vec2(0.0);
     state.Turn = 0.0;
   }
   float whole = wholeWay(state);

@@ -22,6 +22,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyDataNormals.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -327,6 +328,10 @@ void MeasureTime()
     MesoTestScene::Shape("torus", { { "rings", { 80. } }, { "sides", { 30. } } }),
     MesoTechnique::ReliefQuadric);
   const auto image = MesoTestScene::BaseImage(torus);
+  vtkNew<vtkPolyDataMapper> coarse;
+  coarse->SetInputData(torus);
+  coarse->ScalarVisibilityOff();
+  add("VTK, 4800 triangles, no relief", coarse);
   struct Setting
   {
     const char* Name;
@@ -334,6 +339,9 @@ void MeasureTime()
     MesoCurvedKind Curved;
     MesoQuality Quality;
     MesoSearch Search = MesoSearch::LinearBinary;
+    std::array<int, 2> Steps = { 0, 0 }; ///< in place of the quality's
+    bool Occlusion = true;
+    MesoFilter Filter = MesoFilter::Auto;
   };
   const Setting settings[] = {
     { "relief-quadric draft", MesoTechnique::ReliefQuadric, MesoCurvedKind::Quadric,
@@ -357,6 +365,14 @@ void MeasureTime()
       MesoQuality::Medium, MesoSearch::Cone },
     { "surface cone high", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface, MesoQuality::High,
       MesoSearch::Cone },
+    { "surface, bumps alone", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface,
+      MesoQuality::Draft, MesoSearch::LinearBinary, { 0, 0 }, false },
+    { "surface, 1 step", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface, MesoQuality::Draft,
+      MesoSearch::LinearBinary, { 1, 0 } },
+    { "surface, 16 steps", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface,
+      MesoQuality::Draft, MesoSearch::LinearBinary, { 16, 0 } },
+    { "surface draft, no filter", MesoTechnique::ReliefQuadric, MesoCurvedKind::Surface,
+      MesoQuality::Draft, MesoSearch::LinearBinary, { 0, 0 }, true, MesoFilter::None },
   };
   for (const Setting& setting : settings)
   {
@@ -369,8 +385,15 @@ void MeasureTime()
     options.Scale = 0.12;
     options.Tiles = { 8., 3. };
     options.Effects.Auto = false; // VTK's mesh shades nothing but itself
+    options.Filter = setting.Filter;
     options.Effects.Named =
       MesoEffectsOfTechnique(setting.Technique).Without({ MesoEffect::SelfShadow });
+    if (!setting.Occlusion)
+    {
+      options.Effects.Named = options.Effects.Named.Without(
+        { MesoEffect::Occlusion, MesoEffect::Depth, MesoEffect::Silhouette });
+    }
+    relief->SetSearchSteps(setting.Steps[0], setting.Steps[1]);
     relief->SetOptions(options);
     relief->SetHeightMap(map);
     relief->SetBaseImage(image);

@@ -3,17 +3,14 @@
 // has no larger error of shadows either. Times are processor time of all threads, which other work on the
 // machine disturbs less than the clock: the least of ROUNDS rounds, in each of which every setting is drawn.
 //
-//   BenchVDMRatio WIDTH HEIGHT ROUNDS SCENE...   scenes of Data/Bench; the first node is measured
+//   BenchVDMRatio WIDTH HEIGHT ROUNDS TABLE SCENE...   scenes of Data/Bench; the first node is measured, by a
+//                                                      table of TEXELSxAZIMUTHSxPOLARS
 
-#include "DrawnAOVs.h"
 #include "MesoGeometryError.h"
-#include "MesoReference.h"
+#include "VDMDrawn.h"
 #include "vtkMesoReliefMapper.h"
 
-#include "vtkActor.h"
-
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -23,6 +20,8 @@
 
 namespace
 {
+using namespace VDMDrawn;
+
 /// One way to draw.
 struct Arm
 {
@@ -30,6 +29,7 @@ struct Arm
   MesoScene Scene;
   int Linear = 0; ///< steps of a search; 0: as the quality says
   int Binary = 0;
+  vtkSmartPointer<vtkImageData> Table; ///< of a table's technique
 
   MesoGeometryError Error;
   double Fetches = 0.; ///< a covered pixel
@@ -37,8 +37,12 @@ struct Arm
   double Time = 0.; ///< milliseconds
   MesoSceneBuilder Builder;
 
-  void SetSteps(const MesoSceneBuilder& builder) const
+  void Set(const MesoSceneBuilder& builder) const
   {
+    if (this->Table)
+    {
+      MapperOf(builder)->SetTable(this->Table);
+    }
     auto* mapper = vtkMesoReliefMapper::SafeDownCast(builder.GetObjects()[0].Mapper);
     if (mapper && this->Linear > 0)
     {
@@ -62,18 +66,20 @@ Arm& Add(Arms& arms, const MesoScene& scene, MesoTechnique technique, MesoQualit
   return arm;
 }
 
-Arms MakeArms(const MesoScene& scene)
+Arms MakeArms(const MesoScene& scene, const Size& size)
 {
   Arms arms;
   Add(arms, scene, MesoTechnique::Plain, MesoQuality::Medium, "plain");
-  for (const int rank : { 2, 4, 8, 12 })
+  for (const int rank : { 2, 4, 8, 12, 0 })
   {
-    Add(arms, scene, MesoTechnique::VDM, MesoQuality::Medium, "vdm " + std::to_string(rank))
-      .Scene.Nodes[0]
-      .Mesostructure.Rank = { rank, std::min(rank, 4) };
+    vtkNew<vtkMesoVDM> filter;
+    BakeAtSize(filter, scene, size, rank);
+    Arm& arm = Add(arms, scene, MesoTechnique::VDM, MesoQuality::Medium,
+      rank > 0 ? "vdm " + std::to_string(rank) : "vdm full");
+    arm.Scene = SceneAtRank(scene, rank);
+    arm.Table = filter->GetOutput();
   }
-  Add(arms, scene, MesoTechnique::VDM, MesoQuality::Full, "vdm full");
-  for (const int linear : { 2, 3, 4, 5, 6, 8, 12, 16, 32 })
+  for (const int linear : { 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32 })
   {
     for (const int binary : { 1, 2, 3, 5 })
     {
@@ -87,16 +93,10 @@ Arms MakeArms(const MesoScene& scene)
   return arms;
 }
 
-bool HasSmoothSurface(const MesoScene& scene)
-{
-  const std::string& shape = scene.Nodes[0].Mesh->Shape;
-  return shape != "teapot" && shape != "branch";
-}
-
 void Judge(Arm& arm, const MesoAOVs& truth, int width, int height)
 {
   const MesoExrImage image = DrawnImage(
-    arm.Scene, width, height, [&](const MesoSceneBuilder& builder) { arm.SetSteps(builder); });
+    arm.Scene, width, height, [&](const MesoSceneBuilder& builder) { arm.Set(builder); });
   const auto channelOf = [&](const char* name)
   {
     const auto& names = image.ChannelNames;
@@ -115,53 +115,49 @@ void Judge(Arm& arm, const MesoAOVs& truth, int width, int height)
   arm.Error = MesoCompareGeometry(truth, MesoAOVsOfImage(image));
 }
 
-/// Milliseconds of the processor, for drawing one actor or none.
-double TimeOf(vtkRenderWindow* window, vtkProp* actor)
+/// Milliseconds of the processor, for drawing what a renderer has.
+double TimeOf(vtkRenderWindow* window, vtkRenderer* renderer)
 {
-  if (actor)
-  {
-    actor->VisibilityOn();
-  }
+  renderer->DrawOn();
   const std::clock_t start = std::clock();
   window->Render();
   window->WaitForCompletion();
   const std::clock_t end = std::clock();
-  if (actor)
-  {
-    actor->VisibilityOff();
-  }
+  renderer->DrawOff();
   return 1e3 * double(end - start) / CLOCKS_PER_SEC;
 }
 
-/// The least of each arm's frames less the least of empty ones.
-void Time(const Arms& arms, const MesoScene& scene, int width, int height, int rounds)
+/// The least of each arm's frames less the least of empty ones. A renderer each, for VTK makes the shader of
+/// an actor anew that is shown and hidden.
+void Time(const Arms& arms, int width, int height, int rounds)
 {
   vtkNew<vtkMesoEGLRenderWindow> window;
   window->SetMultiSamples(0);
   window->SetSize(width, height);
-  vtkNew<vtkRenderer> renderer;
-  window->AddRenderer(renderer);
-  MesoSceneBuilder camera;
-  camera.Build(scene, renderer);
-  renderer->RemoveAllViewProps();
+  const auto addRenderer = [&]
+  {
+    vtkNew<vtkRenderer> renderer;
+    window->AddRenderer(renderer);
+    renderer->DrawOff();
+    return vtkSmartPointer<vtkRenderer>(renderer);
+  };
+  const vtkSmartPointer<vtkRenderer> nothing = addRenderer();
+  std::vector<vtkSmartPointer<vtkRenderer>> renderers;
   for (const auto& arm : arms)
   {
-    vtkNew<vtkRenderer> apart;
-    arm->Builder.Build(arm->Scene, apart);
-    arm->SetSteps(arm->Builder);
-    vtkProp* actor = arm->Builder.GetObjects()[0].Actor;
-    renderer->AddViewProp(actor);
-    actor->VisibilityOff();
-    TimeOf(window, actor); // builds its shader
+    renderers.push_back(addRenderer());
+    arm->Builder.Build(arm->Scene, renderers.back());
+    arm->Set(arm->Builder);
+    TimeOf(window, renderers.back()); // builds its shader
     arm->Time = 1e9;
   }
   double empty = 1e9;
   for (int round = 0; round < rounds; ++round)
   {
-    empty = std::min(empty, TimeOf(window, nullptr));
-    for (const auto& arm : arms)
+    empty = std::min(empty, TimeOf(window, nothing));
+    for (std::size_t i = 0; i < arms.size(); ++i)
     {
-      arm->Time = std::min(arm->Time, TimeOf(window, arm->Builder.GetObjects()[0].Actor));
+      arms[i]->Time = std::min(arms[i]->Time, TimeOf(window, renderers[i]));
     }
   }
   for (const auto& arm : arms)
@@ -211,31 +207,28 @@ void Compare(const Arms& arms)
 
 int main(int argc, char** argv)
 {
-  if (argc < 5)
+  Size size;
+  if (argc < 6 || !size.Parse(argv[4]))
   {
-    std::fprintf(stderr, "BenchVDMRatio WIDTH HEIGHT ROUNDS SCENE...\n");
+    std::fprintf(stderr, "BenchVDMRatio WIDTH HEIGHT ROUNDS TEXELSxAZIMUTHSxPOLARS SCENE...\n");
     return 2;
   }
   const int width = std::atoi(argv[1]);
   const int height = std::atoi(argv[2]);
   const int rounds = std::atoi(argv[3]);
-  for (int i = 4; i < argc; ++i)
+  for (int i = 5; i < argc; ++i)
   {
     const MesoScene scene = MesoReadScene(argv[i]);
-    const bool smooth = HasSmoothSurface(scene);
-    const Arms arms = MakeArms(scene);
-    // Of a technique that draws the relief: plain's truth is the base.
-    const MesoAOVs truth = MesoAOVsOfImage(MesoReference(
-      arms.back()->Scene, smooth ? MesoReference::Surface::Smooth : MesoReference::Surface::Mesh)
-                                             .Render(width, height)
-                                             .AOVs);
+    const Arms arms = MakeArms(scene, size);
+    const MesoAOVs truth = TruthOf(scene, width, height);
     for (const auto& arm : arms)
     {
       Judge(*arm, truth, width, height);
     }
-    Time(arms, scene, width, height, rounds);
-    std::printf("%s, against the %s surface\n", std::filesystem::path(argv[i]).stem().c_str(),
-      smooth ? "smooth" : "mesh's");
+    Time(arms, width, height, rounds);
+    std::printf("%s, table %s, against the %s surface\n",
+      std::filesystem::path(argv[i]).stem().c_str(), argv[4],
+      HasSmoothSurface(scene) ? "smooth" : "mesh's");
     Compare(arms);
     std::fflush(stdout);
   }

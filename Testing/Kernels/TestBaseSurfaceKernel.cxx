@@ -237,15 +237,15 @@ TYPED_TEST(BaseSurfaceKernel, FollowsARayToTheExactDepth)
       const double length =
         std::min(0.3 / double(state.Turn), 1.1 / std::abs(double(state.Rate.z)));
       time += length;
-      state = base.nextOverBase(state, Real(length), scale, start + Real(time) * along, along, 4);
+      state = base.nextOverBase(state, Real(length), scale, start + Real(time) * along, along, 6);
       const double expected = BelowTorus(glm::dvec3(start) + time * direction) / double(scale);
       if (expected > 1.5 || expected < -0.5)
       {
         break;
       }
       ASSERT_TRUE(state.Known);
-      // Half of 0.05 squared, of the radius 0.4.
-      ASSERT_NEAR(state.Depth, expected, 0.01)
+      // Half of 0.025 squared, of the radius 0.4, three times over.
+      ASSERT_NEAR(state.Depth, expected, 0.003)
         << "run " << run << " piece " << piece << " length " << length << " v " << v << " miss "
         << state.Miss.x << " " << state.Miss.y << " " << state.Miss.z << " d.n "
         << glm::dot(direction, normal) << " turn " << state.Turn;
@@ -253,6 +253,34 @@ TYPED_TEST(BaseSurfaceKernel, FollowsARayToTheExactDepth)
     }
   }
   EXPECT_GT(followed, 1500);
+}
+
+// The guess that Newton's method begins with errs by the third order of the time alone.
+TYPED_TEST(BaseSurfaceKernel, GuessesARaysPlaceToSecondOrder)
+{
+  using Real = typename TestFixture::Real;
+  using Vec2 = typename TestFixture::Vec2;
+  using Vec3 = typename TestFixture::Vec3;
+  const double radius = 0.4;
+  const auto normal = [](double u, double) { return glm::dvec3(std::cos(u), std::sin(u), 0.); };
+  typename TestFixture::Base base;
+  base.Bake(
+    1000, 4, false, false,
+    [&](double u, double v) { return radius * normal(u, v) + glm::dvec3(0., 0., v); }, normal);
+  const Real scale = Real(0.12);
+  const Vec2 map(Real(0.4), Real(0.5));
+  const Vec3 start(radius * normal(0.4, 0.) + glm::dvec3(0., 0., 0.5));
+  const Vec3 along(
+    glm::normalize(-normal(0.4, 0.) + glm::dvec3(-std::sin(0.4), std::cos(0.4), 0.)));
+  const auto state = base.stepToBase(map, 0, scale, start, along);
+  const auto missAfter = [&](double time)
+  {
+    const auto next =
+      base.nextOverBase(state, Real(time), scale, start + Real(time) * along, along, 1);
+    return std::abs(double(next.Miss.x));
+  };
+  EXPECT_GT(missAfter(0.12), 1e-3);
+  EXPECT_NEAR(missAfter(0.12) / missAfter(0.06), 8., 2.5);
 }
 
 TYPED_TEST(BaseSurfaceKernel, BendAndTurnAreThoseOfTheSphere)

@@ -1,6 +1,7 @@
 #include "MesoVolumeRay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -104,6 +105,60 @@ Cubic AlongRay(const double (&corner)[2][2][2], const Linear (&weight)[3])
 MesoVolumeRay::MesoVolumeRay(const MesoVolumeField& field)
   : Field(field)
 {
+  this->FindFreeCells();
+}
+
+std::size_t MesoVolumeRay::NumberOf(const int (&cell)[3]) const
+{
+  const auto& size = this->Field.GetSize();
+  const auto wrapped = [](int i, int period)
+  { return i >= 0 && i < period ? i : (i % period + period) % period; };
+  const int slice = std::clamp(cell[2] + 1, 0, size[2]);
+  return (std::size_t(slice) * size[1] + wrapped(cell[1], size[1])) * size[0] +
+    wrapped(cell[0], size[0]);
+}
+
+void MesoVolumeRay::FindFreeCells()
+{
+  constexpr unsigned char unknown = 255;
+  const auto& size = this->Field.GetSize();
+  this->Free.assign(std::size_t(size[0]) * size[1] * (size[2] + 1), unknown);
+  // From the cells with solid outwards, shell by shell.
+  std::vector<std::array<int, 3>> reached;
+  for (int z = -1; z < size[2]; ++z)
+  {
+    for (int y = 0; y < size[1]; ++y)
+    {
+      for (int x = 0; x < size[0]; ++x)
+      {
+        double corner[2][2][2];
+        this->Field.Corners(x, y, z, corner);
+        if (*std::min_element(&corner[0][0][0], &corner[0][0][0] + 8) < 0.)
+        {
+          this->Free[this->NumberOf({ x, y, z })] = 0;
+          reached.push_back({ x, y, z });
+        }
+      }
+    }
+  }
+  for (unsigned char steps = 1; steps < unknown && !reached.empty(); ++steps)
+  {
+    std::vector<std::array<int, 3>> next;
+    for (const auto& [x, y, z] : reached)
+    {
+      for (int beside = 0; beside < 27; ++beside)
+      {
+        const int cell[3] = { x + beside % 3 - 1, y + beside / 3 % 3 - 1, z + beside / 9 - 1 };
+        const bool isInShell = cell[2] >= -1 && cell[2] < size[2];
+        if (isInShell && this->Free[this->NumberOf(cell)] == unknown)
+        {
+          this->Free[this->NumberOf(cell)] = steps;
+          next.push_back({ (cell[0] + size[0]) % size[0], (cell[1] + size[1]) % size[1], cell[2] });
+        }
+      }
+    }
+    reached = std::move(next);
+  }
 }
 
 double MesoVolumeRay::ToPlane(double z, double directionZ, double depth)
@@ -143,20 +198,31 @@ MesoVolumeRay::Hit MesoVolumeRay::Cast(
       ? std::numeric_limits<double>::infinity()
       : (cell[axis] + (speed[axis] > 0. ? 1 : 0) - place[axis]) / speed[axis];
   };
+  const double fastest = std::max({ std::abs(speed[0]), std::abs(speed[1]), std::abs(speed[2]) });
   double start = 0.;
   while (start < end)
   {
+    const int isFree = this->Free[this->NumberOf(cell)];
+    if (isFree > 1)
+    {
+      // So far along the ray no axis has more than isFree - 1 borders, and beyond these there is a free cell still.
+      start += (isFree - 1) / fastest;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        cell[axis] = static_cast<int>(std::floor(place[axis] + start * speed[axis]));
+      }
+      continue;
+    }
     int next = 0;
     for (int axis = 1; axis < 3; ++axis)
     {
       next = toBorder(axis) < toBorder(next) ? axis : next;
     }
     const double stop = std::min(end, std::max(start, toBorder(next)));
-    double corner[2][2][2];
-    this->Field.Corners(cell[0], cell[1], cell[2], corner);
-    // Between samples outside of the solid there is none.
-    if (*std::min_element(&corner[0][0][0], &corner[0][0][0] + 8) < 0.)
+    if (isFree == 0)
     {
+      double corner[2][2][2];
+      this->Field.Corners(cell[0], cell[1], cell[2], corner);
       Linear weight[3];
       for (int axis = 0; axis < 3; ++axis)
       {

@@ -3,8 +3,12 @@
 #include "vtkImageData.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 namespace
 {
+constexpr int MostHalvingsOverBase = 3;
+
 /// What a ray's way is made of, and the technique around it: chunks of Shaders/.
 struct Way
 {
@@ -124,7 +128,11 @@ MesoShaderShape MesoReliefShader::GetShape() const
   shape.Chunks.insert(shape.Chunks.end(), way.Kernels.begin(), way.Kernels.end());
   shape.Chunks.insert(shape.Chunks.end(), { "Kernels/HeightHit.glsl", "Kernels/PathCut.glsl" });
   const MesoSearchSteps steps = this->Steps.value_or(MesoStepsOfQuality(this->Options.Quality));
-  const int refining = search == MesoSearch::LinearSecant ? (steps.Binary + 1) / 2 : steps.Binary;
+  // Over the mesh itself a last step onto it follows, which makes up for what halvings leave.
+  const bool ontoBase =
+    MesoNeedsBaseImage(this->Options) && this->Options.Curved == MesoCurvedKind::Surface;
+  const int halvings = ontoBase ? std::min(steps.Binary, MostHalvingsOverBase) : steps.Binary;
+  const int refining = search == MesoSearch::LinearSecant ? (halvings + 1) / 2 : halvings;
   const char* bounds =
     MesoNeedsBaseImage(this->Options) ? "Kernels/CubicCone.glsl" : "Kernels/HeightCone.glsl";
   const std::vector<std::string> chunksOfSearch[] = { { "Kernels/LinearSearch.glsl",
