@@ -1,5 +1,6 @@
 // The surface that the relief techniques draw of a height map. Stands on Kernels/HeightBilinear or
-// Kernels/HeightBicubic and, with MESO_FILTER, on Common/HeightLevels and Kernels/LevelChoice.
+// Kernels/HeightBicubic and, with MESO_FILTER, on Common/HeightLevels, Kernels/LevelChoice and
+// Kernels/RoughRelief.
 //   MESO_FILTER   where texels are smaller than pixels, rays meet the heights of a level of the map's pyramid,
 //                 and the slopes of a level are shaded, which need not be the same one
 //   MESO_CONE_LEVELS   the levels that rays meet are those of Kernels/HeightLevels, exactly
@@ -68,8 +69,9 @@ vec2 surfaceFacet(vec2 uv)
 
 #ifdef MESO_FILTER
 uniform vec2 mesoSlopesLost[ComparedLevels]; // as Kernels/LevelChoice has them
+uniform vec2 mesoSlopesLostBySize[ComparedLevels];
 uniform int mesoLastLevel;                   // of the pyramid
-vec2 mesoSlopesLacking = vec2(0.0);          // of what is shaded: mean squares, object space
+PixelRoughness mesoRoughness;                // of what the shaded level lacks
 
 // For the steps of the base mesh's map coordinate from a pixel to its neighbours.
 void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
@@ -81,9 +83,8 @@ void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
     levelsOfPixel(mapDx * size, mapDy * size, mesoSlopesLost, perLength, mesoLastLevel);
   mesoSearchedLevel = levels.Searched;
   mesoShadedLevel = levels.Shaded;
-  mesoSlopesLacking = levels.Shaded > 0.0
-    ? slopesLacking(levels.Shaded, mesoSlopesLost, perLength)
-    : vec2(0.0);
+  mesoRoughness =
+    roughnessOfLevel(levels.Shaded, mesoSlopesLost, mesoSlopesLostBySize, perLength);
 }
 
 // A direction in the frame of the base: along u, across it, along its normal.
@@ -97,28 +98,34 @@ vec3 directionOverBase(MesoFragment f, vec3 directionVC)
 
 bool isAveraged()
 {
-  return mesoSlopesLacking.x + mesoSlopesLacking.y > 0.0;
+  return mesoShadedLevel > 0.0;
 }
 
-vec2 meanSlope(MesoFragment f, vec3 normalVC)
+// The slope over the base of what has this normal.
+vec2 slopeOfNormal(MesoFragment f, vec3 normalVC)
 {
   vec3 normal = directionOverBase(f, normalVC);
   return -normal.xy / max(normal.z, 1.0e-3);
 }
 
+// What a light gives to the relief, of which normalVC is the mean.
 float averagedCosine(vec3 normalVC, vec3 lightOutVC)
 {
-  MesoFragment f = mesoFragment;
-  return isAveraged() ? meanCosine(directionOverBase(f, -f.ViewVC),
-                          directionOverBase(f, lightOutVC), meanSlope(f, normalVC), mesoSlopesLacking)
-                      : max(0.0, dot(normalVC, lightOutVC));
+  if (!isAveraged())
+  {
+    return dot(normalVC, lightOutVC);
+  }
+  return meanCosine(directionOverBase(mesoFragment, -mesoFragment.ViewVC),
+    directionOverBase(mesoFragment, lightOutVC), slopeOfNormal(mesoFragment, normalVC),
+    mesoRoughness.Shading);
 }
 
 // The share of a light that what has been averaged away does not block.
 float averagedShare(MesoFragment f, vec3 normalVC, vec3 lightOutVC)
 {
   return isAveraged() ? litShare(directionOverBase(f, -f.ViewVC),
-                          directionOverBase(f, lightOutVC), meanSlope(f, normalVC), mesoSlopesLacking)
+                          directionOverBase(f, lightOutVC), slopeOfNormal(f, normalVC),
+                          mesoRoughness.Shadow)
                       : 1.0;
 }
 #endif

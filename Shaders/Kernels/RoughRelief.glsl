@@ -36,14 +36,14 @@ float litShare(vec3 viewOut, vec3 lightOut, vec2 meanSlope, vec2 variance)
 // The mean of max(0, n . lightOut) over what is seen, n being the unit normals.
 float meanCosine(vec3 viewOut, vec3 lightOut, vec2 meanSlope, vec2 variance)
 {
-  vec2 step = sqrt(3.0 * variance); // Gauss-Hermite: three places, the outer of a quarter of the middle's weight
+  vec2 spread = sqrt(3.0 * variance); // Gauss-Hermite: three places, the outer of a quarter of the middle's weight
   float lit = 0.0;
   float seen = 0.0;
   for (int i = -1; i <= 1; ++i)
   {
     for (int j = -1; j <= 1; ++j)
     {
-      vec2 slope = meanSlope + step * vec2(float(i), float(j));
+      vec2 slope = meanSlope + spread * vec2(float(i), float(j));
       float weight = (i == 0 ? 4.0 : 1.0) * (j == 0 ? 4.0 : 1.0) *
         max(0.0, viewOut.z - dot(slope, viewOut.xy));
       lit += weight * max(0.0, lightOut.z - dot(slope, lightOut.xy)) / sqrt(1.0 + dot(slope, slope));
