@@ -136,25 +136,11 @@ vec3 unblocked(int index, vec3 radiance)
 #endif
 }
 
-// What a light gives to the surface.
-#ifdef MESO_FILTER
-float averagedCosine(vec3 normalVC, vec3 lightOutVC); // Common/HeightSurface
-#else
-float averagedCosine(vec3 normalVC, vec3 lightOutVC)
-{
-  return dot(normalVC, lightOutVC);
-}
-#endif
-
 // A single headlight: VTK lights it by n.z alone.
 void shadeHeadlight(vec3 radiance, vec3 normalVC, vec3 diffuseColor, float specularPower)
 {
   radiance = unblocked(0, radiance);
-#ifdef MESO_FILTER
-  float df = max(0.0, averagedCosine(normalVC, vec3(0.0, 0.0, 1.0)));
-#else
   float df = max(0.0, normalVC.z);
-#endif
   mesoDiffuse = df * diffuseColor * radiance;
 #ifdef MESO_SPECULAR
   mesoSpecular = pow(df, specularPower) * radiance;
@@ -165,7 +151,7 @@ void shade(int index, vec3 radiance, vec3 normalVC, vec3 positionVC, float specu
 {
   MesoLight light = mesoLights[index];
   radiance = unblocked(index, radiance);
-  float df = max(0.0, light.Attenuation * averagedCosine(normalVC, -light.TravelVC));
+  float df = max(0.0, light.Attenuation * dot(normalVC, -light.TravelVC));
   mesoDiffuse += df * radiance;
 #ifdef MESO_SPECULAR
   float sf = sign(df) * light.Attenuation *

@@ -64,11 +64,7 @@ float blockedFraction(
   MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
 {
   fetches = 0;
-#ifdef MESO_FILTER
-  if (!isAveraged() && !(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
-#else
   if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
-#endif
   {
     return 1.0;
   }
@@ -80,11 +76,7 @@ float blockedFraction(
   if (!seenFromBehind(f) && directionInTS(f, lightOutVC, travel) &&
     directionInTS(f, 1.0e-3 * min(texel.x, texel.y) * mesoMetNormalVC, lift))
   {
-    float blocked = reliefBlocks(f, hit, travel, lift, lightDistance, fetches);
-#ifdef MESO_FILTER
-    blocked = 1.0 - (1.0 - blocked) * averagedShare(f, hit.FacetNormalVC, lightOutVC);
-#endif
-    return blocked;
+    return reliefBlocks(f, hit, travel, lift, lightDistance, fetches);
   }
 #endif
   return 0.0; // no relief here: the base's own normal has decided

@@ -55,34 +55,3 @@ PixelLevels levelsOfPixel(
   chosen.Shaded = levels.y > 0.0 ? levels.y : 0.0;
   return chosen;
 }
-
-// Of numbers of levels, what is between two of them; level 0 has none.
-vec2 betweenLevels(float level, const vec2 numbers[ComparedLevels])
-{
-  int below = min(int(level), ComparedLevels - 2);
-  vec2 from = below > 0 ? numbers[below] : vec2(0.0);
-  return mix(from, numbers[below + 1], clamp(level - float(below), 0.0, 1.0));
-}
-
-// What a level lacks, as a rough surface (RoughRelief): variances of slopes along u and v, object space.
-struct PixelRoughness
-{
-  vec2 Shading;
-  vec2 Shadow; // what is hidden from the light besides what rays find
-};
-
-// lost as above; lostBySize: the variances of normally distributed slopes that go up and down as much as what is
-// lacking. Where all is lacking, roughness is its mean square. Where most is left, as of steep walls, what is lacking
-// are walls that are less steep but as high: they count by what goes up and down, and rays find their shadows.
-PixelRoughness roughnessOfLevel(float level, const vec2 lost[ComparedLevels],
-  const vec2 lostBySize[ComparedLevels], vec2 perLength)
-{
-  vec2 squares = betweenLevels(level, lost) * perLength;
-  vec2 bySize = min(betweenLevels(level, lostBySize) * perLength, squares);
-  float share =
-    clamp((squares.x + squares.y) / max(dot(lost[0], perLength), 1.0e-20), 0.0, 1.0);
-  PixelRoughness roughness;
-  roughness.Shading = mix(bySize, squares, share);
-  roughness.Shadow = share * roughness.Shading;
-  return roughness;
-}

@@ -23,7 +23,6 @@ struct FloatKernels
   using Quadric = MesoKernels::Float::Quadric;
   using QuadricExact = MesoKernels::Float::QuadricExact;
   using PrismGeometry = MesoKernels::Float::PrismGeometry;
-  using RoughRelief = MesoKernels::Float::RoughRelief;
   using Volume = MesoKernels::Float::Volume;
 };
 
@@ -38,7 +37,6 @@ struct DoubleKernels
   using Quadric = MesoKernels::Double::Quadric;
   using QuadricExact = MesoKernels::Double::QuadricExact;
   using PrismGeometry = MesoKernels::Double::PrismGeometry;
-  using RoughRelief = MesoKernels::Double::RoughRelief;
   using Volume = MesoKernels::Double::Volume;
 };
 

@@ -123,31 +123,3 @@ TYPED_TEST(LevelChoiceKernel, WhatIsNoNumberChoosesTheMap)
     0);
   EXPECT_EQ(this->Choose(relief, 100., 100., Real(1), 0).Searched, 0); // no pyramid
 }
-
-TYPED_TEST(LevelChoiceKernel, RoughnessIsWhatALevelLacks)
-{
-  using Real = typename TestFixture::Real;
-  using Vec2 = typename TestFixture::Vec2;
-  const typename TestFixture::Relief relief(0.4, 0.25); // from level 4 on all is lacking
-  Vec2 bySize[TestFixture::Levels];
-  for (int level = 0; level < TestFixture::Levels; ++level)
-  {
-    bySize[level] = Real(0.1) * relief.Lost[level];
-  }
-  const auto of = [&](double level)
-  { return this->Choice.roughnessOfLevel(Real(level), relief.Lost, bySize, Vec2(Real(2))); };
-  EXPECT_EQ(double(of(0.).Shading.x), 0.);
-  EXPECT_EQ(double(of(0.).Shadow.x), 0.);
-  // Of all: the mean square, D / |dp/du| times.
-  EXPECT_NEAR(double(of(6.).Shading.x), 2. * 0.2, 1e-6);
-  EXPECT_NEAR(double(of(6.).Shadow.x), 2. * 0.2, 1e-6);
-  // Of little: more by size than by squares; rays find most of its shadows.
-  EXPECT_NEAR(double(of(1.).Shading.x), 2. * 0.05 * (0.75 * 0.1 + 0.25), 1e-6);
-  EXPECT_NEAR(double(of(1.).Shadow.x), 0.25 * double(of(1.).Shading.x), 1e-6);
-  // Without a step from level to level.
-  for (double level = 0.; level < 6.; level += 0.01)
-  {
-    EXPECT_LT(double(of(level + 0.01).Shading.x) - double(of(level).Shading.x), 0.01);
-    EXPECT_GE(double(of(level + 0.01).Shading.x), double(of(level).Shading.x) - 1e-6);
-  }
-}

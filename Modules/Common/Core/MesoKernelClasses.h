@@ -65,12 +65,6 @@ public:
 #include MESO_KERNEL(LevelChoice)
 };
 
-class RoughRelief
-{
-public:
-#include MESO_KERNEL(RoughRelief)
-};
-
 class PrismGeometry
 {
 public:

@@ -10,16 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace
-{
-/// Of normally distributed numbers of this mean size.
-double VarianceOf(double meanSize)
-{
-  constexpr double HalfPi = 1.57079632679489661923;
-  return HalfPi * meanSize * meanSize;
-}
-}
-
 MesoHeightMapTexture::MesoHeightMapTexture()
   : MesoMapTexture(1)
 {
@@ -63,21 +53,19 @@ void MesoHeightMapTexture::CompareLevels(const float* heights)
   this->GetImage()->GetDimensions(size);
   const auto pyramid = MesoMakeHeightPyramid(size[0], size[1], heights);
   this->LastLevel = std::min(static_cast<int>(pyramid.size()), MostLevels - 1);
-  const MesoMapSlopes ofMap = MesoSlopesOfMap(size[0], size[1], heights);
+  const std::array<double, 2> ofMap = MesoMeanSquareSlopes(size[0], size[1], heights);
   for (int axis = 0; axis < 2; ++axis)
   {
-    this->SlopesLost[0][axis] = static_cast<float>(ofMap.MeanSquare[axis]);
+    this->SlopesLost[0][axis] = static_cast<float>(ofMap[axis]);
   }
   for (int number = 1; number <= this->LastLevel; ++number)
   {
     const MesoHeightLevel& level = pyramid[std::size_t(number) - 1];
-    const MesoMapSlopes left = MesoSlopesOfMap(level.Width, level.Height, level.Heights.data());
+    const std::array<double, 2> left =
+      MesoMeanSquareSlopes(level.Width, level.Height, level.Heights.data());
     for (int axis = 0; axis < 2; ++axis)
     {
-      this->SlopesLost[number][axis] =
-        static_cast<float>(std::max(ofMap.MeanSquare[axis] - left.MeanSquare[axis], 0.));
-      this->SlopesLostBySize[number][axis] = static_cast<float>(
-        std::max(VarianceOf(ofMap.MeanSize[axis]) - VarianceOf(left.MeanSize[axis]), 0.));
+      this->SlopesLost[number][axis] = static_cast<float>(std::max(ofMap[axis] - left[axis], 0.));
     }
   }
 }
@@ -88,10 +76,6 @@ void MesoHeightMapTexture::SetUniforms(vtkShaderProgram* program)
   if (program->IsUniformUsed("mesoSlopesLost"))
   {
     program->SetUniform2fv("mesoSlopesLost", MostLevels, this->SlopesLost);
-  }
-  if (program->IsUniformUsed("mesoSlopesLostBySize"))
-  {
-    program->SetUniform2fv("mesoSlopesLostBySize", MostLevels, this->SlopesLostBySize);
   }
   if (program->IsUniformUsed("mesoLastLevel"))
   {

@@ -34,8 +34,6 @@ private:
   static constexpr int MostLevels = 16; ///< ComparedLevels of Shaders/Kernels/LevelChoice.glsl
   /// Mean square slopes along u and v: of the map, and how much of them each level of its pyramid lacks.
   float SlopesLost[MostLevels][2] = {};
-  /// The variance of normally distributed slopes that go up and down as much as what a level lacks.
-  float SlopesLostBySize[MostLevels][2] = {};
   int LastLevel = 0;
 };
 
