@@ -110,10 +110,15 @@ void blockLights(vec3 positionVC)
     lightDistance =
       clamp(keptStretch(mesoHitVC, -mesoLights[i].TravelVC).y, 0.0, lightDistance);
 #endif
-    int fetches;
-    blocked = blockedFraction(
-      mesoFragment, mesoHit, -mesoLights[i].TravelVC, lightDistance, fetches);
-    mesoShadowFetches += fetches;
+    // The facet's back has no light, whatever its interpolated normal says.
+    blocked = 1.0;
+    if (dot(mesoHit.FacetNormalVC, -mesoLights[i].TravelVC) > 0.0)
+    {
+      int fetches;
+      blocked = blockedFraction(
+        mesoFragment, mesoHit, -mesoLights[i].TravelVC, lightDistance, fetches);
+      mesoShadowFetches += fetches;
+    }
 #endif
 #ifdef MESO_CAST_SHADOW
     if (blocked < 1.0)

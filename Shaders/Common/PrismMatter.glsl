@@ -66,10 +66,6 @@ float blockedFraction(
   MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
 {
   fetches = 0;
-  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
-  {
-    return 1.0;
-  }
 #ifdef MESO_SELF_SHADOW
   vec3 way;
   float reach = lengthFollowed(lightOutVC, lightDistance, way);

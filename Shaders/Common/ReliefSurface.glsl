@@ -64,10 +64,6 @@ float blockedFraction(
   MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
 {
   fetches = 0;
-  if (!(dot(hit.FacetNormalVC, lightOutVC) > 0.0))
-  {
-    return 1.0;
-  }
 #ifdef MESO_SELF_SHADOW
   // The shadow ray starts 1e-3 texel off the surface that the view ray met.
   vec2 texel = vec2(length(f.PerMapU), length(f.PerMapV)) * searchedTexel();

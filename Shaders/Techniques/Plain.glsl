@@ -9,5 +9,5 @@ float blockedFraction(
   MesoFragment f, MesoSurfaceHit hit, vec3 lightOutVC, float lightDistance, out int fetches)
 {
   fetches = 0;
-  return dot(f.NormalVC, lightOutVC) > 0.0 ? 0.0 : 1.0;
+  return 0.0;
 }
