@@ -1,5 +1,6 @@
 #include "MesoBaseTexture.h"
 
+#include "MesoMapUpload.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -26,17 +27,6 @@ vtkDataArray* FieldOf(vtkImageData* image, const char* name, int components)
   return array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() == 1
     ? array
     : nullptr;
-}
-
-bool Fill(
-  vtkTextureObject* texture, vtkOpenGLRenderWindow* window, const int* size, vtkDataArray* values)
-{
-  texture->ReleaseGraphicsResources(window);
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  return texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
-    static_cast<unsigned int>(size[1]), 4, VTK_FLOAT, values->GetVoidPointer(0));
 }
 }
 
@@ -75,8 +65,12 @@ std::string MesoBaseTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
     return "the image of the base, " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
       ", is larger than the " + std::to_string(limit) + " that this device takes";
   }
-  if (!Fill(this->Texture(0), window, size, positions) ||
-    !Fill(this->Texture(1), window, size, normals))
+  const auto upload = [&](std::size_t index, vtkDataArray* numbers)
+  {
+    return MesoUploadTexels(this->Texture(index), window, std::size_t(size[0]),
+      std::size_t(size[1]), 4, VTK_FLOAT, numbers->GetVoidPointer(0));
+  };
+  if (!upload(0, positions) || !upload(1, normals))
   {
     return "the image of the base could not be made a texture";
   }

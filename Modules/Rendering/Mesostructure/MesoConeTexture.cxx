@@ -1,6 +1,8 @@
 #include "MesoConeTexture.h"
 
 #include "MesoAlgorithmRun.h"
+#include "MesoLevelLayout.h"
+#include "MesoMapUpload.h"
 #include "MesoScene.h" // for MesoInputError
 #include "vtkImageData.h"
 #include "vtkMesoConeMap.h"
@@ -90,28 +92,21 @@ std::string MesoConeTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
   int size[3];
   this->GetImage()->GetDimensions(size);
   const int limit = vtkTextureObject::GetMaximumTextureSize(window);
-  const std::size_t width = 2 * std::size_t(size[0]);
-  const std::size_t rows = std::size_t(size[1]);
-  const std::size_t height = this->Cones.size() > 1 ? rows + rows / 2 : rows;
-  if (std::max(width, 2 * rows) > std::size_t(limit))
+  const MesoLevelLayout layout{ 2 * std::size_t(size[0]), std::size_t(size[1]),
+    this->Cones.size() };
+  if (2 * std::max(size[0], size[1]) > limit)
   {
     return "the height map of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
       " is larger than the " + std::to_string(limit / 2) +
       " that this device takes for a search by cones";
   }
-  std::vector<unsigned char> texels(Channels * width * height);
-  CopyCones(this->GetImage(), texels.data(), width);
-  for (std::size_t level = 1; level < this->Cones.size(); ++level)
+  std::vector<unsigned char> texels(Channels * layout.GetTexels());
+  for (std::size_t level = 0; level < this->Cones.size(); ++level)
   {
-    CopyCones(this->Cones[level]->GetOutput(),
-      texels.data() + Channels * (rows * width + width - ((2 * width) >> level)), width);
+    CopyCones(this->Cones[level]->GetOutput(), texels.data() + Channels * layout.FirstOf(level),
+      layout.GetWidth());
   }
-  vtkTextureObject* texture = this->Texture();
-  texture->ReleaseGraphicsResources(window);
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  if (!texture->Create2DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
+  if (!MesoUploadTexels(this->Texture(), window, layout.GetWidth(), layout.GetHeight(),
         int(Channels), VTK_UNSIGNED_CHAR, texels.data()))
   {
     return "the cones of the height map could not be made a texture";

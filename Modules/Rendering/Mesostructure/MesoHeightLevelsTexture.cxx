@@ -1,6 +1,8 @@
 #include "MesoHeightLevelsTexture.h"
 
 #include "MesoHeightPyramid.h"
+#include "MesoLevelLayout.h"
+#include "MesoMapUpload.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -49,29 +51,22 @@ std::string MesoHeightLevelsTexture::Upload(vtkOpenGLRenderWindow* window, MesoW
 {
   int size[3];
   this->GetImage()->GetDimensions(size);
-  const std::size_t width = std::size_t(size[0]);
-  const std::size_t rows = std::size_t(size[1]);
-  const std::size_t height = this->Levels.size() > 1 ? rows + rows / 2 : rows;
-  std::vector<float> texels(width * height, 0.f);
+  const MesoLevelLayout layout{ std::size_t(size[0]), std::size_t(size[1]), this->Levels.size() };
+  std::vector<float> texels(layout.GetTexels(), 0.f);
   for (std::size_t number = 0; number < this->Levels.size(); ++number)
   {
     int extent[3];
     this->Levels[number]->GetDimensions(extent);
     auto* from = static_cast<const float*>(
       this->Levels[number]->GetPointData()->GetScalars()->GetVoidPointer(0));
-    float* to = texels.data() + (number == 0 ? 0 : rows * width + width - ((2 * width) >> number));
-    for (int row = 0; row < extent[1]; ++row, from += extent[0], to += width)
+    float* to = texels.data() + layout.FirstOf(number);
+    for (int row = 0; row < extent[1]; ++row, from += extent[0], to += layout.GetWidth())
     {
       std::copy(from, from + extent[0], to);
     }
   }
-  vtkTextureObject* texture = this->Texture();
-  texture->ReleaseGraphicsResources(window);
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  if (!texture->Create2DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
-        1, VTK_FLOAT, texels.data()))
+  if (!MesoUploadTexels(this->Texture(), window, layout.GetWidth(), layout.GetHeight(), 1,
+        VTK_FLOAT, texels.data()))
   {
     return "the levels of the height map could not be made a texture";
   }

@@ -54,3 +54,14 @@ std::string MesoUploadMap(vtkTextureObject* texture, vtkOpenGLRenderWindow* wind
   }
   return {};
 }
+
+bool MesoUploadTexels(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, std::size_t width,
+  std::size_t height, int channels, int type, void* numbers)
+{
+  texture->ReleaseGraphicsResources(window);
+  texture->SetContext(window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  return texture->Create2DFromRaw(
+    static_cast<unsigned int>(width), static_cast<unsigned int>(height), channels, type, numbers);
+}

@@ -3,6 +3,7 @@
 
 #include "MesoOptions.h" // for MesoWrap
 
+#include <cstddef>
 #include <string>
 
 class vtkImageData;
@@ -21,5 +22,15 @@ int MesoTextureWrap(MesoWrap wrap);
  */
 std::string MesoUploadMap(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
   vtkImageData* map, MesoWrap wrap, bool mipmaps, const std::string& name);
+
+/**
+ * Make a texture that is read texel by texel, row by row from the bottom.
+ *
+ * @param type of the numbers, as VTK names it
+ * @param numbers width x height x channels
+ * @return whether the device took it
+ */
+bool MesoUploadTexels(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, std::size_t width,
+  std::size_t height, int channels, int type, void* numbers);
 
 #endif

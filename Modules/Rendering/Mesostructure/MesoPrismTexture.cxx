@@ -1,5 +1,6 @@
 #include "MesoPrismTexture.h"
 
+#include "MesoMapUpload.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -70,13 +71,8 @@ std::string MesoPrismTexture::Upload(vtkOpenGLRenderWindow* window, MesoWrap)
   {
     return "the shell has more prisms than this device has room for in a texture";
   }
-  vtkTextureObject* texture = this->Texture();
-  texture->ReleaseGraphicsResources(window);
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  if (!texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
-        static_cast<unsigned int>(size[1]), 4, VTK_FLOAT, this->GetImage()->GetScalarPointer()))
+  if (!MesoUploadTexels(this->Texture(), window, std::size_t(size[0]), std::size_t(size[1]), 4,
+        VTK_FLOAT, this->GetImage()->GetScalarPointer()))
   {
     return "the shell's prisms could not be made a texture";
   }
