@@ -70,8 +70,9 @@ vec2 surfaceFacet(vec2 uv)
 #ifdef MESO_FILTER
 uniform vec2 mesoSlopesLost[ComparedLevels]; // as Kernels/LevelChoice has them
 uniform vec2 mesoRoughnessOfLevels[ComparedLevels];
-uniform int mesoLastLevel;                   // of the pyramid
-vec2 mesoRoughness;                          // of what the shaded level lacks
+uniform int mesoLastLevel; // of the pyramid
+float mesoRoughPart;       // how far the shaded level is rough
+vec2 mesoRoughness;        // by what it lacks
 
 // For the steps of the base mesh's map coordinate from a pixel to its neighbours.
 void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
@@ -83,6 +84,7 @@ void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
     levelsOfPixel(mapDx * size, mapDy * size, mesoSlopesLost, perLength, mesoLastLevel);
   mesoSearchedLevel = levels.Searched;
   mesoShadedLevel = levels.Shaded;
+  mesoRoughPart = roughPart(levels.Shaded, mesoSlopesLost, perLength);
   mesoRoughness =
     roughnessOfLevel(levels.Shaded, mesoSlopesLost, mesoRoughnessOfLevels, perLength);
 }

@@ -66,14 +66,19 @@ vec2 betweenLevels(float level, const vec2 numbers[ComparedLevels])
   return mix(from, numbers[below + 1], clamp(level - float(below), 0.0, 1.0));
 }
 
-// What a level lacks, as the variances along u and v, object space, of the slopes of a rough surface (RoughRelief).
-// Only where that is most of the map's slopes: of what is left else, walls above all, rays find how it hides and
-// shades. lost: as above; roughness: the variances of each level, height per map coordinate.
-vec2 roughnessOfLevel(float level, const vec2 lost[ComparedLevels],
-  const vec2 roughness[ComparedLevels], vec2 perLength)
+// How far a level, or what is between two of them, shades as a rough surface (RoughRelief), 0 to 1: only where it lacks
+// most of the map's slopes. Of what is left else, walls above all, rays find how it hides and shades.
+float roughPart(float level, const vec2 lost[ComparedLevels], vec2 perLength)
 {
   float share =
     dot(betweenLevels(level, lost), perLength) / max(dot(lost[0], perLength), 1.0e-20);
-  float part = clamp((share - LeastRoughShare) / LeastRoughShare, 0.0, 1.0);
-  return part * perLength * betweenLevels(level, roughness);
+  return clamp((share - LeastRoughShare) / LeastRoughShare, 0.0, 1.0);
+}
+
+// The variances of that surface's slopes along u and v, object space. roughness: those of each level, height per
+// map coordinate.
+vec2 roughnessOfLevel(float level, const vec2 lost[ComparedLevels],
+  const vec2 roughness[ComparedLevels], vec2 perLength)
+{
+  return roughPart(level, lost, perLength) * perLength * betweenLevels(level, roughness);
 }

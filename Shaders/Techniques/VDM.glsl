@@ -177,5 +177,9 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
   }
   float stored = lookUp(table, start - way.Offset * into.Over, into, curvature, fetches);
   float reached = vdmPoint(table, into.Sine, into.Cosine, curvature, stored).RayLength;
-  return reached < way.RayLength - shadowTolerance(f, hit, table, into) ? 1.0 : 0.0;
+  float blocked = reached < way.RayLength - shadowTolerance(f, hit, table, into) ? 1.0 : 0.0;
+#ifdef MESO_FILTER
+  blocked *= 1.0 - mesoRoughPart; // the table knows what has been averaged away, which blocks light but once
+#endif
+  return blocked;
 }
