@@ -5,7 +5,7 @@
 // the start, the quadric of the vertices. Completes Common/ReliefSurface.
 //   MESO_BASE_BENT    the points follow from each other by the surface's own frame, a linear step
 //                     each, and are not solved for: Chen2008
-//   MESO_BASE_TURN    radians between points that are solved for
+//   MESO_BASE_TURN    radians between points that are solved for, less where one is found far away
 //   MESO_SILHOUETTE   rays that come back are not drawn; without it, they draw the base
 uniform vec3 mesoBaseCentreVC; // what the image's positions are counted from
 uniform mat3 mesoNormalMatrix;
@@ -18,6 +18,9 @@ const int MESO_BASE_PIECES = 2 * MESO_LINEAR_STEPS;
 const int MESO_BASE_PIECES = 24;
 #endif
 const int MESO_BASE_NEWTON = 6;
+// How far in depth a point may be found from where the parabola has it: beyond a crease it may be on another
+// fold of the base, and a nearer one is asked for.
+const float MESO_BASE_STRAY = 0.5;
 
 // A straight ray in the image's space, per unit of view space length.
 struct BaseRay
@@ -70,7 +73,9 @@ BasePiece nextPiece(BaseRay ray, BaseState from, float time, float whole, float 
     piece.Length = min(min(wanted, turn), longest);
     piece.End = nextOverBase(from, piece.Length, mesoScale,
       ray.Start + (time + piece.Length) * ray.Direction, ray.Direction, MESO_BASE_NEWTON);
-    sound = piece.End.Known;
+    float looked = from.Depth + piece.Length * (from.Rate.z - piece.Length * from.Bend);
+    bool strayed = abs(piece.End.Depth - looked) > MESO_BASE_STRAY;
+    sound = piece.End.Known && !(strayed && i < 2);
     turn = 0.25 * piece.Length;
   }
   float share = piece.Length / whole;

@@ -145,7 +145,7 @@ TEST(PaperScenes, Figure1ARoomOfColumnsStonesAndWalls)
 
 TEST(PaperScenes, Figure16AHallWithItsCeilingAndPath)
 {
-  CheckRoom("FigureHall", 0.96, 0.3);
+  CheckRoom("FigureHall", 0.99, 0.2);
 }
 
 TEST(PaperScenes, Figure11TheExactAndTheApproximateDistanceLookDifferent)
