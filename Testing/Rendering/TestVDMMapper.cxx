@@ -367,8 +367,7 @@ TEST(VDMMapper, NearestOutlinesAreThoseOfTexelsAroundTheirCentres)
   vtkNew<vtkMesoVDMMapper> vdm;
   vdm->SetHeightMap(heights);
   vdm->SetTable(MesoSmallVDM(heights, 0.2, 0, 8));
-  vdm->SetInputData(
-    MesoTestScene::Prepared(MesoTestScene::Shape("cylinder"), MesoTechnique::VDM));
+  vdm->SetInputData(MesoTestScene::Prepared(MesoTestScene::Shape("cylinder"), MesoTechnique::VDM));
   vdm->SetTiles(4., 2.);
   vdm->SetScale(0.25);
   MesoTestScene scene(150, 200);

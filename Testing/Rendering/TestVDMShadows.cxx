@@ -141,4 +141,3 @@ TEST(VDMShadows, TolerateTheErrorOfTheFactorsInUse)
   EXPECT_EQ(blocked(7), exact);
   EXPECT_LT(blocked(6), 0.5 * exact); // facets that face away are left
 }
-
