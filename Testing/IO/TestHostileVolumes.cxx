@@ -173,6 +173,12 @@ TEST(HostileVolumes, WhoseNumbersBlowUp)
   ExpectRefusal("a.nrrd", Nrrd("encoding: gzip\n", "no zlib"), { "damaged" });
   ExpectRefusal("a.nrrd", Nrrd("encoding: text\n", "0 1 2 3 4 5 6 7 8 9 10 11 12"),
     { "more than the 12 numbers" });
+  for (const char* wrong : { "256", "-1", "nan", "1e300", "some" })
+  {
+    ExpectRefusal("a.nrrd",
+      Nrrd("encoding: text\n", std::string("0 1 2 3 4 5 6 7 8 9 10 ") + wrong),
+      { std::string(wrong) == "some" ? "has 11 numbers" : "number 11 is beyond its type" });
+  }
   EXPECT_LT(PeakMemoryKiB() - before, 20000);
   // Lines that are skipped one by one, out of a file of nothing else: a hang where each moves the rest.
   ExpectRefusal("a.nrrd", Nrrd("line skip: 2000000000\n", std::string(1 << 20, '\n')), { "fewer" });
@@ -188,6 +194,7 @@ TEST(HostileVolumes, WhoseHeadersSayNoSense)
     "a.nrrd", Nrrd("type: short\nendian: middle\n", Twelve + Twelve), { "endian: 'middle'" });
   ExpectRefusal("a.nrrd", Nrrd("byte skip: -2\n"), { "byte skip: '-2'" });
   ExpectRefusal("a.nrrd", Nrrd("byteskip: some\n"), { "byteskip: 'some'" });
+  ExpectRefusal("a.nrrd", Nrrd("byte skip: 0.5\n"), { "byte skip: '0.5'" });
   ExpectRefusal("a.nrrd", Nrrd("line skip: -1\n"), { "line skip: '-1'" });
   ExpectRefusal("a.nrrd", Nrrd("byte skip: 1\n"), { "fewer numbers" });
   ExpectRefusal("a.mha", Meta("ElementType = MET_LONG_LONG\n"), { "ElementType: 'MET_LONG" });

@@ -99,6 +99,41 @@ TEST(SlicesOnScreen, LieBehindTheSurfaceByLessThanTheirSpacing)
   }
 }
 
+TEST(SlicesOnScreen, ShowTheCutWhereTheShellEnds)
+{
+  // Foam reaches the shell's top, and the sheet's open edges cut through it: there the truth shows its cut, in the light.
+  const MesoScene scene = Scene(R"({"shape": "plane", "size": [2, 2], "segments": [3, 3]})",
+    R"("volume": {"pattern": "foam", "size": [16, 16, 8]}, "scale": 0.5, "tiles": [2, 2],
+      "quality": "draft")",
+    R"("position": [0.6, 3.2, 2.2], "view_up": [0, 0, 1])");
+  const MesoExrImage truth = Truth(scene);
+  const MesoExrImage drawn = DrawnImage(scene, Size, Size);
+  std::array<int, 2> cuts = { 0, 0 }; // by the open edge at y = 1, by the top
+  int missed = 0;
+  for (int pixel = 0; pixel < Size * Size; ++pixel)
+  {
+    const auto at = [&](const MesoExrImage& image, const char* channel)
+    { return ValueAt(image, channel, pixel % Size, pixel / Size); };
+    const bool isEdge = at(truth, "texcoord.v") > 2. - 1e-5 && at(truth, "normal.y") > 0.999;
+    const bool isTop = at(truth, "relief") < 1e-5 && at(truth, "normal.z") > 0.999;
+    if (at(truth, "coverage") > 0.5 && (isEdge || isTop))
+    {
+      ++cuts[isEdge ? 0 : 1];
+      bool isSame = std::abs(at(drawn, "depth") - at(truth, "depth")) < 1e-4;
+      for (const char* channel : { "normal.x", "normal.y", "normal.z", "shadow.0" })
+      {
+        isSame = isSame && std::abs(at(drawn, channel) - at(truth, channel)) < 1e-4;
+      }
+      missed += isSame ? 0 : 1;
+    }
+  }
+  std::cout << cuts[0] << " pixels of cuts at the edge, " << cuts[1] << " at the top, " << missed
+            << " missed\n";
+  EXPECT_GT(cuts[0], 300);
+  EXPECT_GT(cuts[1], 300);
+  EXPECT_LE(missed, (cuts[0] + cuts[1]) / 100); // along the cuts' outlines
+}
+
 TEST(SlicesOnScreen, GoOnFromPrismToPrism)
 {
   // A solid: a slice that one prism lacks would be a hole, or a step of a spacing.

@@ -197,6 +197,50 @@ TEST_F(PrismShell, AnOpenMeshIsClosedByItsFins)
   EXPECT_EQ(ends, 10);
 }
 
+TEST_F(PrismShell, CountsPrismsNotTriangles)
+{
+  // Triangles without area have no prism: those after them have lower numbers than their triangles.
+  const std::vector<MesoVector> points = { { 0., 0., 0. }, { 1., 0., 0. }, { 1., 1., 0. },
+    { 0., 1., 0. }, { 0.5, 0., 0. } };
+  const std::vector<std::array<double, 2>> uv = { { 0., 0. }, { 1., 0. }, { 1., 1. }, { 0., 1. },
+    { 0.5, 0. } };
+  vtkPolyData* shell =
+    this->Shell(MakeMesh(points, uv, { { 0, 4, 1 }, { 0, 1, 2 }, { 0, 2, 3 } }), 0.1);
+  EXPECT_EQ(this->Filter->GetNumberOfDegenerateTriangles(), 1);
+  vtkFieldData* fields = shell->GetFieldData();
+  ASSERT_EQ(fields->GetArray("MesoPrismTable")->GetNumberOfTuples(), 2 * 7);
+  const auto beyond = [&](vtkIdType prism, int fin)
+  { return fields->GetArray("MesoPrismTable")->GetComponent(7 * prism + 6, 1 + fin); };
+  EXPECT_EQ(beyond(0, 2), 1.);
+  EXPECT_EQ(beyond(1, 0), 0.);
+  EXPECT_EQ(fields->GetArray("MesoPrismTriangle")->GetComponent(0, 0), 1.);
+  EXPECT_EQ(fields->GetArray("MesoPrismTriangle")->GetComponent(1, 0), 2.);
+}
+
+TEST_F(PrismShell, SeamsAreCutAlikeWhateverTheirPointsNumbers)
+{
+  // A saddle of two triangles whose common edge has points of its own on either side, numbered the other
+  // way round: by the points' numbers each would cut the fin along another diagonal.
+  const std::vector<MesoVector> points = { { 0., 0., 0. }, { 1., 1., 0. }, { 0., 1., 0.3 },
+    { 1., 1., 0. }, { 0., 0., 0. }, { 1., 0., 0.3 } };
+  const std::vector<std::array<double, 2>> uv = { { 0., 0. }, { 1., 1. }, { 0., 1. }, { 1., 1. },
+    { 0., 0. }, { 1., 0. } };
+  const auto mesh = MakeMesh(points, uv, { { 0, 1, 2 }, { 3, 4, 5 } });
+  // Normals that are the same at both ends' points, and no two alike along the edge: the fin is bent.
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (const double lean : { 0.6, -0.6, 0., -0.6, 0.6, 0. })
+  {
+    normals->InsertNextTuple3(lean, 0., std::sqrt(1. - lean * lean));
+  }
+  mesh->GetPointData()->SetNormals(normals);
+  vtkPolyData* shell = this->Shell(mesh, 0.2);
+  EXPECT_EQ(this->Filter->GetNumberOfOpenFins(), 4);
+  EXPECT_EQ(this->LoneAndWrong(shell), (std::array<int, 2>{ 8, 0 }));
+  EXPECT_NE(this->FlagsOf(shell, 0) & 1, this->FlagsOf(shell, 1) & 1);
+}
+
 TEST_F(PrismShell, BrokenTilesAreSeams)
 {
   // A torus with 2 and a half tiles around: the map jumps where it closes.
