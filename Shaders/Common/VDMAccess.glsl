@@ -128,7 +128,7 @@ float sampleFours(sampler3D slices, vec2 mapCoord, float turns, int first, float
 
 float sampleVDM(vec2 mapCoord, VDMDirection ray, float curvature, inout int fetches)
 {
-  float polar = vdmPolarPlace(vdmTable(), ray.Polar);
+  float polar = vdmPolarPlace(vdmTable(), 2.0 * atan(ray.HalfTangent));
   int low = min(int(curvature), max(MESO_VDM_CURVATURES - 2, 0));
   int high = min(low + 1, MESO_VDM_CURVATURES - 1);
   return mix(sampleFours(mesoVDMTable, mapCoord, ray.Turns, low * MESO_VDM_FOURS, polar, MESO_VDM_POLARS,

@@ -54,8 +54,7 @@ struct VDMDirection
   float Turns;   // azimuth / 2 pi, in [0, 1)
   float Sine;    // of the polar angle
   float Cosine;  // at least VDMLeastCosine
-  float Polar;
-  float HalfTangent; // of half the polar angle, in [0, 1]: nearly as even, without an arc tangent
+  float HalfTangent; // of half the polar angle, in [0, 1): nearly as even, without an arc tangent
   float Length;  // of the direction that came in, in tiles
 };
 
@@ -70,7 +69,6 @@ bool vdmDirection(vec3 travel, float depth, out VDMDirection direction)
   direction.Turns = 0.0;
   direction.Sine = 0.0;
   direction.Cosine = 1.0;
-  direction.Polar = 0.0;
   direction.HalfTangent = 0.0;
   if (!(scaled.z > 0.0) || !(direction.Length > 0.0))
   {
@@ -78,7 +76,6 @@ bool vdmDirection(vec3 travel, float depth, out VDMDirection direction)
   }
   direction.Cosine = max(scaled.z / direction.Length, VDMLeastCosine);
   direction.Sine = over / direction.Length;
-  direction.Polar = min(atan(over, scaled.z), VDMRightAngle - VDMLeastCosine);
   direction.HalfTangent = direction.Sine / (1.0 + direction.Cosine);
   if (over > 0.0)
   {

@@ -5,15 +5,14 @@
 // and curvatures as a test can do with, where the technique would bake those of the paper anew each time.
 
 #include "MesoBakedFile.h"
+#include "MesoBumpMaps.h"
 #include "MesoSceneBuilder.h"
 #include "TemporaryFolder.h"
 #include "vtkMesoEGLRenderWindow.h"
 #include "vtkMesoVDM.h"
 
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
@@ -33,7 +32,7 @@ public:
     MesoSceneBuilder builder;
     builder.Build(scene, renderer);
     const MesoSceneBuilder::Object& object = builder.GetObjects()[0];
-    layout.Depth = object.Options.Scale / MeanTile(object);
+    layout.Depth = MesoDepthInTiles(object.Base, object.Options);
     layout.LastCurvature = std::min(layout.LastCurvature, 0.8 / layout.Depth);
     vtkNew<vtkMesoVDM> filter;
     filter->SetInputData(object.HeightMap);
@@ -50,19 +49,6 @@ public:
   std::string GetFile() const { return this->Folder.PathOf("scene.vdm.vti"); }
 
 private:
-  /// Object units, over both directions and all points.
-  static double MeanTile(const MesoSceneBuilder::Object& object)
-  {
-    vtkDataArray* scales = object.Base->GetPointData()->GetArray("MesoTileScale");
-    double sum = 0.;
-    for (vtkIdType i = 0; i < scales->GetNumberOfTuples(); ++i)
-    {
-      sum += scales->GetComponent(i, 0) / object.Options.Tiles[0] +
-        scales->GetComponent(i, 1) / object.Options.Tiles[1];
-    }
-    return sum / (2. * double(scales->GetNumberOfTuples()));
-  }
-
   TemporaryFolder Folder;
 };
 

@@ -4,6 +4,7 @@
 #include "DrawnAOVs.h"
 #include "MesoGeometryError.h"
 #include "MesoReference.h"
+#include "SceneTable.h"
 
 #include "vtkPolyData.h"
 
@@ -21,6 +22,16 @@ MesoScene SceneOf(const std::string& name)
   return MesoReadScene(std::string(MESO_SCENES) + "/Documentation/" + name + ".json");
 }
 
+/// A smaller table than the technique's own, by which what is asserted here can be told as well.
+SceneTable TableOf(const MesoScene& scene, int texels)
+{
+  MesoVDMLayout layout;
+  layout.Width = layout.Height = texels;
+  layout.Azimuths = 16;
+  layout.Curvatures = 6; // 0 is one of them
+  return { scene, layout, 8 };
+}
+
 MesoAOVs TruthOf(const MesoScene& scene)
 {
   return MesoAOVsOfImage(MesoReference(scene).Render(Width, Height).AOVs);
@@ -30,10 +41,12 @@ MesoAOVs TruthOf(const MesoScene& scene)
 TEST(VDMFigures, TechniquesOnATeapot)
 {
   MesoScene scene = SceneOf("VDMTeapot");
+  const SceneTable table = TableOf(scene, 128);
   const MesoAOVs truth = TruthOf(scene);
   const auto errorOf = [&](MesoTechnique technique)
   {
     scene.Nodes[0].Mesostructure.Technique = technique;
+    scene.Nodes[0].Baked = technique == MesoTechnique::VDM ? table.GetFile() : std::string();
     const MesoGeometryError error = MesoCompareGeometry(truth, DrawnAOVs(scene, Width, Height));
     std::printf("%-12s overlap %.4f, texels %.2f / %.2f, shadows %.4f\n", MesoName(technique),
       error.CoverageIou, error.Texcoord.P50, error.Texcoord.P95, error.ShadowCast);
@@ -68,6 +81,8 @@ TEST(VDMFigures, ATorusAVaseAndABranch)
          Figure{ "VDMPaperBranch", 5856 } })
   {
     MesoScene scene = SceneOf(figure.Scene);
+    const SceneTable table = TableOf(scene, 64);
+    scene.Nodes[0].Baked = table.GetFile();
     const MesoAOVs truth = TruthOf(scene);
     const MesoExrImage image = DrawnImage(scene, Width, Height,
       [&](const MesoSceneBuilder& builder) {
@@ -76,6 +91,7 @@ TEST(VDMFigures, ATorusAVaseAndABranch)
       });
     const MesoGeometryError vdm = MesoCompareGeometry(truth, MesoAOVsOfImage(image));
     scene.Nodes[0].Mesostructure.Technique = MesoTechnique::Bump;
+    scene.Nodes[0].Baked.clear();
     const MesoGeometryError bump = MesoCompareGeometry(truth, DrawnAOVs(scene, Width, Height));
     std::printf("%-16s overlap %.4f, of bump %.4f, texels %.2f / %.2f, of bump %.2f / %.2f\n",
       figure.Scene, vdm.CoverageIou, bump.CoverageIou, vdm.Texcoord.P50, vdm.Texcoord.P95,

@@ -327,6 +327,77 @@ TEST(VDMMapper, AgreesWithReliefMappingAngleByAngle)
   }
 }
 
+TEST(VDMMapper, AlongTheNormalTheMapItselfIsMet)
+{
+  // The first of 8 angles is at 7 degrees, and what it stores would be met at another depth.
+  constexpr int Texels = 24;
+  const auto heights = MesoTestScene::Pattern("smooth", Texels, Texels);
+  vtkNew<vtkMesoReliefMapper> relief;
+  relief->SetHeightMap(heights);
+  MesoMesostructureOptions options = relief->GetOptions();
+  options.Quality = MesoQuality::Certified;
+  relief->SetOptions(options);
+  vtkNew<vtkMesoVDMMapper> vdm;
+  vdm->SetHeightMap(heights);
+  VDMPlane plane(0., 3.6);
+  plane.Capture(relief, 0.15);
+  const auto searched = plane.Values("depth");
+  for (const int rank : { 0, 12 })
+  {
+    vdm->SetTable(MesoSmallVDM(heights, 0.3, rank));
+    plane.Capture(vdm, 0.15);
+    const auto looked = plane.Values("depth");
+    for (std::size_t i = 0; i < looked.size(); ++i)
+    {
+      ASSERT_NEAR(looked[i], searched[i], 1e-5) << rank;
+    }
+  }
+}
+
+TEST(VDMMapper, NearestOutlinesAreThoseOfTexelsAroundTheirCentres)
+{
+  // Rings around a cylinder: map and shape are symmetric about its middle, and so is the outline.
+  vtkSmartPointer<vtkImageData> heights = MesoTestScene::Pattern("brick", 4, 8);
+  for (int texel = 0; texel < 32; ++texel)
+  {
+    const int row = texel / 4;
+    static_cast<float*>(heights->GetScalarPointer())[texel] = row < 2 || row > 5 ? 0.f : 1.f;
+  }
+  heights->Modified();
+  vtkNew<vtkMesoVDMMapper> vdm;
+  vdm->SetHeightMap(heights);
+  vdm->SetTable(MesoSmallVDM(heights, 0.2, 0, 8));
+  vdm->SetInputData(MesoTestScene::Prepared(MesoTestScene::Shape("cylinder"), MesoTechnique::VDM));
+  vdm->SetTiles(4., 2.);
+  vdm->SetScale(0.25);
+  MesoTestScene scene(150, 200);
+  scene.Actor->SetMapper(vdm);
+  scene.LookFrom(0., 0., 6.);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(1.2);
+  for (const bool nearest : { false, true })
+  {
+    vdm->SetNearestOutlines(nearest);
+    vtkNew<vtkMesoAOVPass> pass;
+    MesoCapture(scene, pass);
+    int covered = 0;
+    int unlike = 0;
+    for (int row = 0; row < 100; ++row)
+    {
+      for (int column = 0; column < 150; ++column)
+      {
+        const float above = pass->GetValue("coverage", column, row);
+        const float below = pass->GetValue("coverage", column, 199 - row);
+        covered += above > 0.f ? 1 : 0;
+        unlike += above != below ? 1 : 0;
+      }
+    }
+    pass->ReleaseGraphicsResources(scene.Window);
+    EXPECT_GT(covered, 2000) << nearest;
+    EXPECT_LT(unlike, 20) << nearest;
+  }
+}
+
 TEST(VDMMapper, HasNoSeamBetweenTheLastAzimuthAndTheFirst)
 {
   const auto heights = MesoTestScene::Pattern("smooth", Size, Size);
