@@ -1,5 +1,6 @@
 // The surface that the relief techniques draw of a height map. Stands on Kernels/HeightBilinear or
-// Kernels/HeightBicubic and, with MESO_FILTER, on Common/HeightLevels and Kernels/LevelChoice.
+// Kernels/HeightBicubic and, with MESO_FILTER, on Common/HeightLevels, Kernels/LevelChoice and
+// Kernels/RoughRelief.
 //   MESO_FILTER   where texels are smaller than pixels, rays meet the heights of a level of the map's pyramid,
 //                 and the slopes of a level are shaded, which need not be the same one
 //   MESO_CONE_LEVELS   the levels that rays meet are those of Kernels/HeightLevels, exactly
@@ -68,7 +69,9 @@ vec2 surfaceFacet(vec2 uv)
 
 #ifdef MESO_FILTER
 uniform vec2 mesoSlopesLost[ComparedLevels]; // as Kernels/LevelChoice has them
+uniform vec2 mesoRoughnessOfLevels[ComparedLevels];
 uniform int mesoLastLevel;                   // of the pyramid
+vec2 mesoRoughness;                          // of what the shaded level lacks
 
 // For the steps of the base mesh's map coordinate from a pixel to its neighbours.
 void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
@@ -80,5 +83,49 @@ void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
     levelsOfPixel(mapDx * size, mapDy * size, mesoSlopesLost, perLength, mesoLastLevel);
   mesoSearchedLevel = levels.Searched;
   mesoShadedLevel = levels.Shaded;
+  mesoRoughness =
+    roughnessOfLevel(levels.Shaded, mesoSlopesLost, mesoRoughnessOfLevels, perLength);
+}
+
+// A direction in the frame of the base: along u, across it, along its normal.
+vec3 directionOverBase(MesoFragment f, vec3 directionVC)
+{
+  vec3 normal = normalize(-f.PerDepth);
+  vec3 along = normalize(f.PerMapU - dot(normal, f.PerMapU) * normal);
+  return vec3(
+    dot(along, directionVC), dot(cross(normal, along), directionVC), dot(normal, directionVC));
+}
+
+bool isAveraged()
+{
+  return mesoRoughness.x + mesoRoughness.y > 0.0;
+}
+
+// The slope over the base of what has this normal.
+vec2 slopeOfNormal(MesoFragment f, vec3 normalVC)
+{
+  vec3 normal = directionOverBase(f, normalVC);
+  return -normal.xy / max(normal.z, 1.0e-3);
+}
+
+// What a light gives to the relief, of which normalVC is the mean.
+float averagedCosine(vec3 normalVC, vec3 lightOutVC)
+{
+  if (!isAveraged())
+  {
+    return dot(normalVC, lightOutVC);
+  }
+  return meanCosine(directionOverBase(mesoFragment, -mesoFragment.ViewVC),
+    directionOverBase(mesoFragment, lightOutVC), slopeOfNormal(mesoFragment, normalVC),
+    mesoRoughness);
+}
+
+// The share of a light that what has been averaged away does not block.
+float averagedShare(MesoFragment f, vec3 normalVC, vec3 lightOutVC)
+{
+  return isAveraged() ? litShare(directionOverBase(f, -f.ViewVC),
+                          directionOverBase(f, lightOutVC), slopeOfNormal(f, normalVC),
+                          mesoRoughness)
+                      : 1.0;
 }
 #endif

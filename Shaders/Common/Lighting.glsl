@@ -76,6 +76,21 @@ MesoLight positionalLight(vec3 positionVC, int positional, vec3 lightDirectionVC
   return light;
 }
 
+// Relief that has been averaged away shades as what it was (Common/HeightSurface).
+#ifdef MESO_FILTER
+bool isAveraged();
+float averagedCosine(vec3 normalVC, vec3 lightOutVC);
+#else
+bool isAveraged()
+{
+  return false;
+}
+float averagedCosine(vec3 normalVC, vec3 lightOutVC)
+{
+  return dot(normalVC, lightOutVC);
+}
+#endif
+
 #ifdef MESO_CAST_SHADOW
 // The part of a light that something beyond the detail takes from a point.
 float castOn(int light, vec3 positionVC)
@@ -112,7 +127,7 @@ void blockLights(vec3 positionVC)
 #endif
     // The facet's back has no light, whatever its interpolated normal says.
     blocked = 1.0;
-    if (dot(mesoHit.FacetNormalVC, -mesoLights[i].TravelVC) > 0.0)
+    if (dot(mesoHit.FacetNormalVC, -mesoLights[i].TravelVC) > 0.0 || isAveraged())
     {
       int fetches;
       blocked = blockedFraction(
@@ -145,7 +160,11 @@ vec3 unblocked(int index, vec3 radiance)
 void shadeHeadlight(vec3 radiance, vec3 normalVC, vec3 diffuseColor, float specularPower)
 {
   radiance = unblocked(0, radiance);
+#ifdef MESO_FILTER
+  float df = max(0.0, averagedCosine(normalVC, vec3(0.0, 0.0, 1.0)));
+#else
   float df = max(0.0, normalVC.z);
+#endif
   mesoDiffuse = df * diffuseColor * radiance;
 #ifdef MESO_SPECULAR
   mesoSpecular = pow(df, specularPower) * radiance;
@@ -156,7 +175,7 @@ void shade(int index, vec3 radiance, vec3 normalVC, vec3 positionVC, float specu
 {
   MesoLight light = mesoLights[index];
   radiance = unblocked(index, radiance);
-  float df = max(0.0, light.Attenuation * dot(normalVC, -light.TravelVC));
+  float df = max(0.0, light.Attenuation * averagedCosine(normalVC, -light.TravelVC));
   mesoDiffuse += df * radiance;
 #ifdef MESO_SPECULAR
   float sf = sign(df) * light.Attenuation *

@@ -72,7 +72,11 @@ float blockedFraction(
   if (!seenFromBehind(f) && directionInTS(f, lightOutVC, travel) &&
     directionInTS(f, 1.0e-3 * min(texel.x, texel.y) * mesoMetNormalVC, lift))
   {
-    return reliefBlocks(f, hit, travel, lift, lightDistance, fetches);
+    float blocked = reliefBlocks(f, hit, travel, lift, lightDistance, fetches);
+#ifdef MESO_FILTER
+    blocked = 1.0 - (1.0 - blocked) * averagedShare(f, hit.FacetNormalVC, lightOutVC);
+#endif
+    return blocked;
   }
 #endif
   return 0.0; // no relief here: the base's own normal has decided

@@ -13,6 +13,8 @@ const float GentleSlope = 0.5625;
 // Shares of the map's own mean square slope that a level may lack however steep it is.
 const float SearchedShare = 0.2;
 const float ShadedShare = 0.1;
+// Share that a level must lack to shade as rough; twice that makes it wholly so.
+const float LeastRoughShare = 0.4;
 
 struct PixelLevels
 {
@@ -54,4 +56,24 @@ PixelLevels levelsOfPixel(
   chosen.Searched = levels.x > 0.0 ? int(levels.x) : 0;
   chosen.Shaded = levels.y > 0.0 ? levels.y : 0.0;
   return chosen;
+}
+
+// Of numbers of levels, what is between two of them; level 0 has none.
+vec2 betweenLevels(float level, const vec2 numbers[ComparedLevels])
+{
+  int below = min(int(level), ComparedLevels - 2);
+  vec2 from = below > 0 ? numbers[below] : vec2(0.0);
+  return mix(from, numbers[below + 1], clamp(level - float(below), 0.0, 1.0));
+}
+
+// What a level lacks, as the variances along u and v, object space, of the slopes of a rough surface (RoughRelief).
+// Only where that is most of the map's slopes: of what is left else, walls above all, rays find how it hides and
+// shades. lost: as above; roughness: the variances of each level, height per map coordinate.
+vec2 roughnessOfLevel(float level, const vec2 lost[ComparedLevels],
+  const vec2 roughness[ComparedLevels], vec2 perLength)
+{
+  float share =
+    dot(betweenLevels(level, lost), perLength) / max(dot(lost[0], perLength), 1.0e-20);
+  float part = clamp((share - LeastRoughShare) / LeastRoughShare, 0.0, 1.0);
+  return part * perLength * betweenLevels(level, roughness);
 }

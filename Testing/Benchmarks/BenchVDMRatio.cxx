@@ -3,8 +3,10 @@
 // has no larger error of shadows either. Times are processor time of all threads, which other work on the
 // machine disturbs less than the clock: the least of ROUNDS rounds, in each of which every setting is drawn.
 //
-//   BenchVDMRatio WIDTH HEIGHT ROUNDS TABLE SCENE...   scenes of Data/Bench; the first node is measured, by a
-//                                                      table of TEXELSxAZIMUTHSxPOLARS
+//   BenchVDMRatio WIDTH HEIGHT ROUNDS TABLE FILTER SCENE...
+//
+// measures the first nodes of scenes of Data/Bench, by a table of TEXELSxAZIMUTHSxPOLARS; FILTER: `none`, so
+// that what is judged is the map itself, or `auto`.
 
 #include "MesoGeometryError.h"
 #include "VDMDrawn.h"
@@ -53,6 +55,7 @@ struct Arm
 
 using Arms = std::vector<std::unique_ptr<Arm>>;
 
+/// Of a scene whose filter is that of all arms.
 Arm& Add(Arms& arms, const MesoScene& scene, MesoTechnique technique, MesoQuality quality,
   const std::string& name)
 {
@@ -62,7 +65,6 @@ Arm& Add(Arms& arms, const MesoScene& scene, MesoTechnique technique, MesoQualit
   arm.Scene = scene;
   arm.Scene.Nodes[0].Mesostructure.Technique = technique;
   arm.Scene.Nodes[0].Mesostructure.Quality = quality;
-  arm.Scene.Nodes[0].Mesostructure.Filter = MesoFilter::None; // what is measured is the map itself
   return arm;
 }
 
@@ -72,12 +74,13 @@ Arms MakeArms(const MesoScene& scene, const Size& size)
   Add(arms, scene, MesoTechnique::Plain, MesoQuality::Medium, "plain");
   for (const int rank : { 2, 4, 8, 12, 0 })
   {
-    vtkNew<vtkMesoVDM> filter;
-    BakeAtSize(filter, scene, size, rank);
+    vtkNew<vtkMesoVDM> table;
+    BakeAtSize(table, scene, size, rank);
     Arm& arm = Add(arms, scene, MesoTechnique::VDM, MesoQuality::Medium,
       rank > 0 ? "vdm " + std::to_string(rank) : "vdm full");
     arm.Scene = SceneAtRank(scene, rank);
-    arm.Table = filter->GetOutput();
+    arm.Scene.Nodes[0].Mesostructure.Filter = scene.Nodes[0].Mesostructure.Filter;
+    arm.Table = table->GetOutput();
   }
   for (const int linear : { 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32 })
   {
@@ -208,17 +211,20 @@ void Compare(const Arms& arms)
 int main(int argc, char** argv)
 {
   Size size;
-  if (argc < 6 || !size.Parse(argv[4]))
+  const std::string filter = argc > 5 ? argv[5] : "";
+  if (argc < 7 || !size.Parse(argv[4]) || (filter != "none" && filter != "auto"))
   {
-    std::fprintf(stderr, "BenchVDMRatio WIDTH HEIGHT ROUNDS TEXELSxAZIMUTHSxPOLARS SCENE...\n");
+    std::fprintf(
+      stderr, "BenchVDMRatio WIDTH HEIGHT ROUNDS TEXELSxAZIMUTHSxPOLARS none|auto SCENE...\n");
     return 2;
   }
   const int width = std::atoi(argv[1]);
   const int height = std::atoi(argv[2]);
   const int rounds = std::atoi(argv[3]);
-  for (int i = 5; i < argc; ++i)
+  for (int i = 6; i < argc; ++i)
   {
-    const MesoScene scene = MesoReadScene(argv[i]);
+    MesoScene scene = MesoReadScene(argv[i]);
+    scene.Nodes[0].Mesostructure.Filter = filter == "auto" ? MesoFilter::Auto : MesoFilter::None;
     const Arms arms = MakeArms(scene, size);
     const MesoAOVs truth = TruthOf(scene, width, height);
     for (const auto& arm : arms)
@@ -226,8 +232,8 @@ int main(int argc, char** argv)
       Judge(*arm, truth, width, height);
     }
     Time(arms, width, height, rounds);
-    std::printf("%s, table %s, against the %s surface\n",
-      std::filesystem::path(argv[i]).stem().c_str(), argv[4],
+    std::printf("%s, table %s, filter %s, against the %s surface\n",
+      std::filesystem::path(argv[i]).stem().c_str(), argv[4], filter.c_str(),
       HasSmoothSurface(scene) ? "smooth" : "mesh's");
     Compare(arms);
     std::fflush(stdout);

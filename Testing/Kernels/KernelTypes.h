@@ -23,6 +23,7 @@ struct FloatKernels
   using Quadric = MesoKernels::Float::Quadric;
   using QuadricExact = MesoKernels::Float::QuadricExact;
   using PrismGeometry = MesoKernels::Float::PrismGeometry;
+  using RoughRelief = MesoKernels::Float::RoughRelief;
   using Volume = MesoKernels::Float::Volume;
 };
 
@@ -37,6 +38,7 @@ struct DoubleKernels
   using Quadric = MesoKernels::Double::Quadric;
   using QuadricExact = MesoKernels::Double::QuadricExact;
   using PrismGeometry = MesoKernels::Double::PrismGeometry;
+  using RoughRelief = MesoKernels::Double::RoughRelief;
   using Volume = MesoKernels::Double::Volume;
 };
 

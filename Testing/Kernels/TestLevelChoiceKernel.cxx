@@ -123,3 +123,32 @@ TYPED_TEST(LevelChoiceKernel, WhatIsNoNumberChoosesTheMap)
     0);
   EXPECT_EQ(this->Choose(relief, 100., 100., Real(1), 0).Searched, 0); // no pyramid
 }
+
+TYPED_TEST(LevelChoiceKernel, ALevelThatLacksMostOfTheSlopesIsRough)
+{
+  using Real = typename TestFixture::Real;
+  using Vec2 = typename TestFixture::Vec2;
+  const typename TestFixture::Relief relief(0.4, 0.125); // from level 8 on all is lacking
+  Vec2 roughness[TestFixture::Levels];
+  for (int level = 0; level < TestFixture::Levels; ++level)
+  {
+    roughness[level] = Vec2(Real(0.01 * level), Real(0.02 * level));
+  }
+  const auto of = [&](double level, double perLength = 1.)
+  {
+    return this->Choice.roughnessOfLevel(
+      Real(level), relief.Lost, roughness, Vec2(Real(perLength)));
+  };
+  EXPECT_EQ(double(of(0.).y), 0.);
+  EXPECT_EQ(double(of(3.1).y), 0.); // lacks 39 %
+  EXPECT_NEAR(double(of(4.5).x), (4.5 / 8. - 0.4) / 0.4 * 0.045, 1e-6);
+  EXPECT_NEAR(double(of(4.5).y), (4.5 / 8. - 0.4) / 0.4 * 0.09, 1e-6);
+  EXPECT_NEAR(double(of(7.).y), 0.14, 1e-6); // 88 %
+  EXPECT_NEAR(double(of(7., 3.).y), 3. * 0.14, 1e-6);
+  // Without a step from level to level.
+  for (double level = 0.; level < 9.; level += 0.01)
+  {
+    EXPECT_LT(double(of(level + 0.01).y) - double(of(level).y), 0.002);
+    EXPECT_GE(double(of(level + 0.01).y), double(of(level).y) - 1e-6);
+  }
+}

@@ -85,16 +85,18 @@ TEST(HeightPyramid, SlopesAreStepsFromTexelToTexel)
   {
     ramp.push_back(float(i % 8) * 0.1f);
   }
-  const auto slopes = MesoMeanSquareSlopes(8, 3, ramp.data());
+  EXPECT_NEAR(MesoSlopesOfMap(8, 3, ramp.data()).MeanSize[0], 7. / 8. * 0.8, 1e-6);
+  EXPECT_EQ(MesoSlopesOfMap(8, 3, ramp.data()).MeanSize[1], 0.);
+  const auto slopes = MesoSlopesOfMap(8, 3, ramp.data()).MeanSquare;
   EXPECT_NEAR(slopes[0], 7. / 8. * 0.8 * 0.8, 1e-6);
   EXPECT_EQ(slopes[1], 0.);
-  EXPECT_EQ(MesoMeanSquareSlopes(1, 1, ramp.data()), (std::array<double, 2>{ 0., 0. }));
+  EXPECT_EQ(MesoSlopesOfMap(1, 1, ramp.data()).MeanSquare, (std::array<double, 2>{ 0., 0. }));
   // Levels have ever less of them.
   const std::vector<float> noise = RandomHeights(64, 32);
-  std::array<double, 2> before = MesoMeanSquareSlopes(64, 32, noise.data());
+  std::array<double, 2> before = MesoSlopesOfMap(64, 32, noise.data()).MeanSquare;
   for (const MesoHeightLevel& level : MesoMakeHeightPyramid(64, 32, noise.data()))
   {
-    const auto left = MesoMeanSquareSlopes(level.Width, level.Height, level.Heights.data());
+    const auto left = MesoSlopesOfMap(level.Width, level.Height, level.Heights.data()).MeanSquare;
     EXPECT_LT(left[0], 0.7 * before[0]);
     EXPECT_LT(left[1], 0.7 * before[1]);
     before = left;

@@ -35,6 +35,13 @@ inline vtkSmartPointer<vtkImageData> SteppedMap(int width, int height)
   return MakeMap(width, height, [&](int, int) { return heights[random() % 4]; });
 }
 
+/// Level but for one texel.
+inline vtkSmartPointer<vtkImageData> OneTexel(int size, double level, double texel)
+{
+  return MakeMap(
+    size, size, [=](int column, int row) { return column == 1 && row == 2 ? texel : level; });
+}
+
 inline MesoVDMLayout SmallLayout(int width, int height)
 {
   MesoVDMLayout layout;

@@ -206,6 +206,38 @@ TEST(ReliefSampling, SteepReliefKeepsItsBrightness)
   }
 }
 
+TEST(ReliefSampling, GentleReliefIsAsBrightAsTheTruth)
+{
+  // All of it is averaged away, with the shadows that it casts on itself: it shades as a rough surface.
+  const auto meanOf = [](const Picture& picture)
+  { return std::accumulate(picture.begin(), picture.end(), 0.) / double(picture.size()); };
+  for (double down : { 0.8, 0.35 }) // the light's way; the flatter, the more is in shadow
+  {
+    const auto scene = [&](const char* filter, MesoSearch search)
+    {
+      MesoScene field = Field(12., filter, "noise");
+      field.Lights[0].Direction[2] = -down;
+      field.Nodes[0].Map->Size = { 256, 256 };
+      field.Nodes[0].Mesostructure.Scale = 0.1;
+      field.Nodes[0].Mesostructure.Effects = {};
+      field.Nodes[0].Mesostructure.Search = search;
+      return field;
+    };
+    constexpr int Size = 24;
+    const Picture truth = TruePicture(scene("none", MesoSearch::Certified), Size, Size, 16);
+    for (MesoSearch search : { MesoSearch::LinearBinary, MesoSearch::Certified })
+    {
+      const Picture filtered = DrawnPicture(scene("auto", search), Size, Size);
+      const Picture single = DrawnPicture(scene("none", search), Size, Size);
+      std::cout << MesoName(search) << ": from the truth " << Distance(truth, filtered)
+                << ", without the filter " << Distance(truth, single) << ", brighter by "
+                << meanOf(filtered) / meanOf(truth) - 1. << "\n";
+      EXPECT_LT(Distance(truth, filtered), 0.5 * Distance(truth, single));
+      EXPECT_NEAR(meanOf(filtered), meanOf(truth), 0.02 * meanOf(truth));
+    }
+  }
+}
+
 TEST(ReliefSampling, GoingAwayThePictureNeverJumps)
 {
   // From texels of many pixels to pixels of many texels in steps of 5 %: what changes from one frame to

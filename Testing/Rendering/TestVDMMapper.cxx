@@ -6,6 +6,7 @@
 #include "MesoExpectedMessages.h"
 #include "MesoTestScene.h"
 #include "MesoTestVDM.h"
+#include "VDMPlane.h"
 
 #include "vtkFieldData.h"
 #include "vtkMesoAOVPass.h"
@@ -57,39 +58,6 @@ protected:
     const auto difference = MesoCompareImages(this->Picture(this->VDM), plain, limits);
     EXPECT_TRUE(difference.Within) << difference.Describe();
   }
-};
-
-/// A plane of 2 x 2 with 4 x 4 tiles, seen from an angle off its normal and an azimuth by a parallel camera.
-struct VDMPlane : public MesoTestScene
-{
-  vtkNew<vtkMesoAOVPass> Pass;
-
-  VDMPlane(double degrees, double azimuth)
-    : MesoTestScene(100, 100)
-  {
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(0.2 * std::cos(degrees * Pi / 180.));
-    const double sine = std::sin(degrees * Pi / 180.);
-    camera->SetPosition(-5. * sine * std::cos(azimuth), -5. * sine * std::sin(azimuth),
-      5. * std::cos(degrees * Pi / 180.));
-    camera->SetFocalPoint(0., 0., 0.);
-    camera->SetViewUp(std::sin(azimuth), -std::cos(azimuth), 0.);
-    this->AddDirectionalLight(0.5, 0.7, -1.);
-    this->Renderer->ResetCameraClippingRange();
-  }
-  ~VDMPlane() { this->Pass->ReleaseGraphicsResources(this->Window); }
-
-  void Capture(vtkMesoPolyDataMapper* mapper)
-  {
-    mapper->SetInputData(Prepared(Shape("plane", { { "size", { 2., 2. } } }), MesoTechnique::VDM));
-    mapper->SetScale(0.05);
-    mapper->SetTiles(4., 4.);
-    this->Actor->SetMapper(mapper);
-    MesoCapture(*this, this->Pass);
-  }
-
-  std::vector<float> Values(const char* channel) const { return this->Pass->GetChannel(channel); }
 };
 
 /// Distances in texels between what two captures hit, sorted.
@@ -406,38 +374,6 @@ TEST(VDMMapper, MoreFactorsAreNearerToTheTable)
     before = mean;
   }
   EXPECT_LT(before, 0.5);
-}
-
-TEST(VDMMapper, ShadowsTolerateTheErrorOfTheFactorsInUse)
-{
-  const auto heights = MesoTestScene::Pattern("brick", Size, Size);
-  vtkNew<vtkMesoVDMMapper> vdm;
-  vdm->SetHeightMap(heights);
-  VDMPlane plane(40., 0.7);
-  // The part of the picture that is blocked where the table says that one rank's error is large, and others' not.
-  const auto blocked = [&](int large)
-  {
-    const auto table = MesoSmallVDM(heights, 0.2, 8);
-    vtkDataArray* errors = table->GetFieldData()->GetArray("Errors");
-    for (vtkIdType i = 0; i < errors->GetNumberOfTuples(); ++i)
-    {
-      errors->SetTuple1(i, i + 1 == large ? 10. : 1e-6);
-    }
-    errors->Modified();
-    vdm->SetTable(table);
-    MesoMesostructureOptions options = vdm->GetOptions();
-    options.Rank = { 6, 4 };
-    vdm->SetOptions(options);
-    plane.Capture(vdm);
-    const std::vector<float> shadow = plane.Values("shadow.0");
-    return double(std::count(shadow.begin(), shadow.end(), 1.f)) / double(shadow.size());
-  };
-  const double exact = blocked(0);
-  EXPECT_GT(exact, 0.05);
-  EXPECT_LT(exact, 0.5);
-  EXPECT_EQ(blocked(5), exact);
-  EXPECT_EQ(blocked(7), exact);
-  EXPECT_LT(blocked(6), 0.5 * exact); // facets that face away are left
 }
 
 TEST(VDMMapper, HardViewsGiveNumbers)

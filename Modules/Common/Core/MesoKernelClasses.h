@@ -65,6 +65,12 @@ public:
 #include MESO_KERNEL(LevelChoice)
 };
 
+class RoughRelief
+{
+public:
+#include MESO_KERNEL(RoughRelief)
+};
+
 class PrismGeometry
 {
 public:

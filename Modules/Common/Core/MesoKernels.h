@@ -25,7 +25,9 @@
  *   MesoKernels::Float::Horizon, MesoKernels::Double::Horizon
  *     azimuthBefore, azimuthAfter, discBelow
  *   MesoKernels::Float::LevelChoice, MesoKernels::Double::LevelChoice
- *     levelsOfPixel: which levels of a height map's pyramid a pixel sees
+ *     levelsOfPixel: which levels of a height map's pyramid a pixel sees; roughnessOfLevel: what they lack
+ *   MesoKernels::Float::RoughRelief, MesoKernels::Double::RoughRelief
+ *     hiddenPerSeen, litShare, meanCosine: how what they lack shades
  *   MesoKernels::Float::Quadric, MesoKernels::Double::Quadric
  *     quadricOverTexture, quadricDepth, quadricGradient, distanceToQuadric, leaveShell,
  *     quadricNormal, quadricNormalDerivative, displacedCross

@@ -3,6 +3,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace
@@ -82,19 +83,29 @@ std::vector<MesoHeightLevel> MesoMakeHeightPyramid(int width, int height, const 
   return levels;
 }
 
-std::array<double, 2> MesoMeanSquareSlopes(int width, int height, const float* heights)
+MesoMapSlopes MesoSlopesOfMap(int width, int height, const float* heights)
 {
-  std::array<double, 2> sums = { 0., 0. };
+  MesoMapSlopes slopes;
+  const auto add = [&](int axis, double step)
+  {
+    slopes.MeanSquare[axis] += step * step;
+    slopes.MeanSize[axis] += std::abs(step);
+  };
   for (int row = 0; row < height; ++row)
   {
     const float* here = heights + std::ptrdiff_t(row) * width;
     for (int column = 0; column < width; ++column)
     {
-      const double alongU = column + 1 < width ? double(here[column + 1]) - here[column] : 0.;
-      const double alongV = row + 1 < height ? double(here[column + width]) - here[column] : 0.;
-      sums[0] += alongU * alongU;
-      sums[1] += alongV * alongV;
+      add(0, column + 1 < width ? double(here[column + 1]) - here[column] : 0.);
+      add(1, row + 1 < height ? double(here[column + width]) - here[column] : 0.);
     }
   }
-  return { sums[0] * width / height, sums[1] * height / width };
+  const double size[2] = { double(width), double(height) };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    // A step is a texel's, of which there are width x height.
+    slopes.MeanSquare[axis] *= size[axis] / size[1 - axis];
+    slopes.MeanSize[axis] /= size[1 - axis];
+  }
+  return slopes;
 }

@@ -22,11 +22,15 @@ struct MesoHeightLevel
 MESOFILTERSMAPS_EXPORT std::vector<MesoHeightLevel> MesoMakeHeightPyramid(
   int width, int height, const float* heights);
 
-/**
- * The mean squares of a map's slopes along u and v, height per map coordinate: of the steps from texel to texel,
- * without those over its border.
- */
-MESOFILTERSMAPS_EXPORT std::array<double, 2> MesoMeanSquareSlopes(
-  int width, int height, const float* heights);
+/// A map's slopes along u and v, height per map coordinate.
+struct MesoMapSlopes
+{
+  std::array<double, 2> MeanSquare = { 0., 0. };
+  std::array<double, 2> MeanSize = { 0.,
+    0. }; ///< of their absolute values: how much goes up and down
+};
+
+/// Of the steps from texel to texel, without those over the map's border.
+MESOFILTERSMAPS_EXPORT MesoMapSlopes MesoSlopesOfMap(int width, int height, const float* heights);
 
 #endif

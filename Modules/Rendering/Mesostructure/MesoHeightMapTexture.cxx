@@ -8,7 +8,18 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+
+namespace
+{
+/// Of normally distributed numbers whose absolute values have this mean.
+double VarianceOf(double meanSize)
+{
+  constexpr double HalfPi = 1.57079632679489661923;
+  return HalfPi * meanSize * meanSize;
+}
+}
 
 MesoHeightMapTexture::MesoHeightMapTexture()
   : MesoMapTexture(1)
@@ -53,19 +64,25 @@ void MesoHeightMapTexture::CompareLevels(const float* heights)
   this->GetImage()->GetDimensions(size);
   const auto pyramid = MesoMakeHeightPyramid(size[0], size[1], heights);
   this->LastLevel = std::min(static_cast<int>(pyramid.size()), MostLevels - 1);
-  const std::array<double, 2> ofMap = MesoMeanSquareSlopes(size[0], size[1], heights);
+  const MesoMapSlopes ofMap = MesoSlopesOfMap(size[0], size[1], heights);
   for (int axis = 0; axis < 2; ++axis)
   {
-    this->SlopesLost[0][axis] = static_cast<float>(ofMap[axis]);
+    this->SlopesLost[0][axis] = static_cast<float>(ofMap.MeanSquare[axis]);
   }
   for (int number = 1; number <= this->LastLevel; ++number)
   {
     const MesoHeightLevel& level = pyramid[std::size_t(number) - 1];
-    const std::array<double, 2> left =
-      MesoMeanSquareSlopes(level.Width, level.Height, level.Heights.data());
+    const MesoMapSlopes left = MesoSlopesOfMap(level.Width, level.Height, level.Heights.data());
     for (int axis = 0; axis < 2; ++axis)
     {
-      this->SlopesLost[number][axis] = static_cast<float>(std::max(ofMap[axis] - left[axis], 0.));
+      this->SlopesLost[number][axis] =
+        static_cast<float>(std::max(ofMap.MeanSquare[axis] - left.MeanSquare[axis], 0.));
+      // A few steep walls hide and shade less than the mean of their squares, and more than slopes that go up and
+      // down as much evenly.
+      const double bySize =
+        std::max(VarianceOf(ofMap.MeanSize[axis]) - VarianceOf(left.MeanSize[axis]), 0.);
+      this->Roughness[number][axis] =
+        static_cast<float>(std::sqrt(bySize * this->SlopesLost[number][axis]));
     }
   }
 }
@@ -76,6 +93,10 @@ void MesoHeightMapTexture::SetUniforms(vtkShaderProgram* program)
   if (program->IsUniformUsed("mesoSlopesLost"))
   {
     program->SetUniform2fv("mesoSlopesLost", MostLevels, this->SlopesLost);
+  }
+  if (program->IsUniformUsed("mesoRoughnessOfLevels"))
+  {
+    program->SetUniform2fv("mesoRoughnessOfLevels", MostLevels, this->Roughness);
   }
   if (program->IsUniformUsed("mesoLastLevel"))
   {

@@ -34,6 +34,9 @@ private:
   static constexpr int MostLevels = 16; ///< ComparedLevels of Shaders/Kernels/LevelChoice.glsl
   /// Mean square slopes along u and v: of the map, and how much of them each level of its pyramid lacks.
   float SlopesLost[MostLevels][2] = {};
+  /// Of each level, the variance of the slopes of a rough surface (Shaders/Kernels/RoughRelief.glsl) that stands for what
+  /// it lacks.
+  float Roughness[MostLevels][2] = {};
   int LastLevel = 0;
 };
 

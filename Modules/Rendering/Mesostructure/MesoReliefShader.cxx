@@ -123,8 +123,8 @@ MesoShaderShape MesoReliefShader::GetShape() const
     shape.Chunks.insert(
       shape.Chunks.end(), { "Common/ConeAccess.glsl", "Kernels/HeightLevels.glsl" });
   }
-  shape.Chunks.insert(
-    shape.Chunks.end(), { "Kernels/LevelChoice.glsl", "Common/HeightSurface.glsl" });
+  shape.Chunks.insert(shape.Chunks.end(),
+    { "Kernels/LevelChoice.glsl", "Kernels/RoughRelief.glsl", "Common/HeightSurface.glsl" });
   shape.Chunks.insert(shape.Chunks.end(), way.Kernels.begin(), way.Kernels.end());
   shape.Chunks.insert(shape.Chunks.end(), { "Kernels/HeightHit.glsl", "Kernels/PathCut.glsl" });
   const MesoSearchSteps steps = this->Steps.value_or(MesoStepsOfQuality(this->Options.Quality));

@@ -133,9 +133,9 @@ MesoShaderShape MesoVDMShader::GetShape() const
   shape.WritesDepth = effects.Has(MesoEffect::Depth);
   shape.Chunks = { "Common/HeightAccess.glsl", "Common/HeightLevels.glsl", "Kernels/Frame.glsl",
     "Kernels/HeightField.glsl", "Kernels/HeightBilinear.glsl", "Kernels/LevelChoice.glsl",
-    "Common/HeightSurface.glsl", "Kernels/Quadric.glsl", "Kernels/VDMTable.glsl",
-    "Common/VDMAccess.glsl", "Common/ReliefFrame.glsl", "Common/ReliefSurface.glsl",
-    "Techniques/VDM.glsl" };
+    "Kernels/RoughRelief.glsl", "Common/HeightSurface.glsl", "Kernels/Quadric.glsl",
+    "Kernels/VDMTable.glsl", "Common/VDMAccess.glsl", "Common/ReliefFrame.glsl",
+    "Common/ReliefSurface.glsl", "Techniques/VDM.glsl" };
   const MesoVDMLayout& layout = this->Layout;
   shape.Defines = { { "MESO_WRAP", std::to_string(static_cast<int>(this->Options.Wrap)) },
     { "MESO_SURFACE_HEIGHTS", "" }, { "MESO_VDM_AZIMUTHS", std::to_string(layout.Azimuths) },

@@ -105,6 +105,15 @@ void vtkMesoPolyDataMapper::SetScale(double scale)
 void vtkMesoPolyDataMapper::ComputeBounds()
 {
   this->Superclass::ComputeBounds();
+  // Said here, as what has no bounds comes to no drawing.
+  vtkDataObject* data = this->GetInputDataObject(0, 0);
+  if (data && !this->GetInput())
+  {
+    this->WarnOnce("The input is a " + std::string(data->GetClassName()) +
+      " and only a vtkPolyData is drawn: vtkCompositeDataGeometryFilter makes one of the surfaces "
+      "of "
+      "composite data.");
+  }
   const MesoShaderShape shape = this->GetTechnique()->GetShape();
   if (vtkMath::AreBoundsInitialized(this->Bounds) && (shape.Traces || shape.Diced) &&
     MesoEffectsOfTechnique(this->TechniqueOf(this->Options)).Has(MesoEffect::Depth))
