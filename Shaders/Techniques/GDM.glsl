@@ -7,8 +7,10 @@
 
 //   MESO_CORRECTIONS  steps of the volume's own distance after a look-up, against the table's error
 
-// What the volume's distance is at most at the end of a look-up that met matter, in voxels.
-const float MESO_SURFACE_VOXELS = MESO_CORRECTIONS > 0 ? 0.5 : 1.5;
+// What the volume's distance is at most at the end of a look-up that met matter, in voxels; of a light's way more,
+// since no other look-up comes nearer.
+const float MESO_SURFACE_VOXELS = MESO_CORRECTIONS > 0 ? 0.25 : 1.5;
+const float MESO_BLOCKER_VOXELS = MESO_CORRECTIONS > 0 ? 0.5 : 1.5;
 // Look-ups of an eye's way at most. Where one ends at nothing - before matter that the corrections do not reach, as
 // where a ray runs along it, or beside matter that it passes - the next begins. Without corrections the one says
 // all; so does it of a light's way, which others would find blocked by the surface that it leaves.
@@ -21,8 +23,9 @@ vec3 inTileWidths(vec3 way)
   return way * vec3(1.0, 1.0, mesoVolumeDepth);
 }
 
-// Whether the table says that matter is met before a way's end, in so many look-ups at most; part: of the way.
-bool lookUp(vec3 from, vec3 span, int most, out float part, out int fetches)
+// Whether the table says that matter is met before a way's end, in so many look-ups at most and as near as so many
+// voxels; part: of the way.
+bool lookUp(vec3 from, vec3 span, int most, float voxels, out float part, out int fetches)
 {
   vec3 way = inTileWidths(span);
   float size = length(way);
@@ -32,7 +35,7 @@ bool lookUp(vec3 from, vec3 span, int most, out float part, out int fetches)
   {
     return false;
   }
-  float surface = MESO_SURFACE_VOXELS * voxelSide(mesoVolumeDepth);
+  float surface = voxels * voxelSide(mesoVolumeDepth);
   bool found = false;
   for (int look = 0; look < most && part < 1.0 && !found; ++look)
   {
@@ -62,7 +65,7 @@ VolumeHit meetMatter(vec3 from, vec3 span)
   if (!hit.Found)
   {
     int fetches;
-    hit.Found = lookUp(from, span, MESO_LOOKUPS, hit.Part, fetches);
+    hit.Found = lookUp(from, span, MESO_LOOKUPS, MESO_SURFACE_VOXELS, hit.Part, fetches);
     hit.Fetches += fetches;
     hit.Steps = fetches;
   }
@@ -94,8 +97,8 @@ bool matterBlocks(vec3 from, vec3 span, out int fetches)
   }
   float part;
   int looked = 0;
-  bool blocks =
-    sampleVolume(start) <= 0.0 || lookUp(start, wayInShell(start, span), 1, part, looked);
+  bool blocks = sampleVolume(start) <= 0.0 ||
+    lookUp(start, wayInShell(start, span), 1, MESO_BLOCKER_VOXELS, part, looked);
   fetches += looked;
   return blocks;
 }
