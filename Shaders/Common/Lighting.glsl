@@ -160,11 +160,7 @@ vec3 unblocked(int index, vec3 radiance)
 void shadeHeadlight(vec3 radiance, vec3 normalVC, vec3 diffuseColor, float specularPower)
 {
   radiance = unblocked(0, radiance);
-#ifdef MESO_FILTER
   float df = max(0.0, averagedCosine(normalVC, vec3(0.0, 0.0, 1.0)));
-#else
-  float df = max(0.0, normalVC.z);
-#endif
   mesoDiffuse = df * diffuseColor * radiance;
 #ifdef MESO_SPECULAR
   mesoSpecular = pow(df, specularPower) * radiance;

@@ -15,6 +15,8 @@ const float SearchedShare = 0.2;
 const float ShadedShare = 0.1;
 // Share that a level must lack to shade as rough; twice that makes it wholly so.
 const float LeastRoughShare = 0.4;
+// Of slopes so steep a rough surface shows nothing but walls; squares of more could overflow.
+const float MostRoughness = 1.0e6;
 
 struct PixelLevels
 {
@@ -72,7 +74,7 @@ float roughPart(float level, const vec2 lost[ComparedLevels], vec2 perLength)
 {
   float share =
     dot(betweenLevels(level, lost), perLength) / max(dot(lost[0], perLength), 1.0e-20);
-  return clamp((share - LeastRoughShare) / LeastRoughShare, 0.0, 1.0);
+  return share > LeastRoughShare ? min((share - LeastRoughShare) / LeastRoughShare, 1.0) : 0.0;
 }
 
 // The variances of that surface's slopes along u and v, object space. roughness: those of each level, height per
@@ -80,5 +82,7 @@ float roughPart(float level, const vec2 lost[ComparedLevels], vec2 perLength)
 vec2 roughnessOfLevel(float level, const vec2 lost[ComparedLevels],
   const vec2 roughness[ComparedLevels], vec2 perLength)
 {
-  return roughPart(level, lost, perLength) * perLength * betweenLevels(level, roughness);
+  float part = roughPart(level, lost, perLength);
+  return part > 0.0 ? min(part * perLength * betweenLevels(level, roughness), vec2(MostRoughness))
+                    : vec2(0.0);
 }

@@ -122,6 +122,13 @@ TYPED_TEST(LevelChoiceKernel, WhatIsNoNumberChoosesTheMap)
               .Searched,
     0);
   EXPECT_EQ(this->Choose(relief, 100., 100., Real(1), 0).Searched, 0); // no pyramid
+  // Charts without a length: nothing is rough, or finitely so.
+  for (double odd : { NotANumber, Infinite, 1e30 })
+  {
+    const Vec2 rough =
+      this->Choice.roughnessOfLevel(Real(8), relief.Lost, relief.Lost, Vec2(Real(odd)));
+    EXPECT_TRUE(double(rough.x) >= 0. && double(rough.x) <= 1e6) << odd << ": " << rough.x;
+  }
 }
 
 TYPED_TEST(LevelChoiceKernel, ALevelThatLacksMostOfTheSlopesIsRough)
