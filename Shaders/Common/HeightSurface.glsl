@@ -2,7 +2,8 @@
 // Kernels/HeightBicubic and, with MESO_FILTER, on Common/HeightLevels, Kernels/LevelChoice and
 // Kernels/RoughRelief.
 //   MESO_FILTER   where texels are smaller than pixels, rays meet the heights of a level of the map's pyramid,
-//                 and the slopes of a level are shaded, which need not be the same one
+//                 and the slopes of a level are shaded, which need not be the same one; what that lacks shades as
+//                 a rough surface
 //   MESO_CONE_LEVELS   the levels that rays meet are those of Kernels/HeightLevels, exactly
 
 // What searches look for.
@@ -71,8 +72,14 @@ vec2 surfaceFacet(vec2 uv)
 uniform vec2 mesoSlopesLost[ComparedLevels]; // as Kernels/LevelChoice has them
 uniform vec2 mesoRoughnessOfLevels[ComparedLevels];
 uniform int mesoLastLevel; // of the pyramid
-float mesoRoughPart;       // how far the shaded level is rough
-vec2 mesoRoughness;        // by what it lacks
+vec2 mesoRoughness;        // variances of the slopes along u and v, object space, that shade as a rough surface
+float mesoRoughShare;      // how much that is of what the shaded level lacks
+
+void forgetRoughness()
+{
+  mesoRoughness = vec2(0.0);
+  mesoRoughShare = 0.0;
+}
 
 // For the steps of the base mesh's map coordinate from a pixel to its neighbours.
 void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
@@ -84,9 +91,14 @@ void chooseLevels(MesoFragment f, vec2 mapDx, vec2 mapDy)
     levelsOfPixel(mapDx * size, mapDy * size, mesoSlopesLost, perLength, mesoLastLevel);
   mesoSearchedLevel = levels.Searched;
   mesoShadedLevel = levels.Shaded;
-  mesoRoughPart = roughPart(levels.Shaded, mesoSlopesLost, perLength);
-  mesoRoughness =
-    roughnessOfLevel(levels.Shaded, mesoSlopesLost, mesoRoughnessOfLevels, perLength);
+  forgetRoughness();
+  if (length(cross(f.PerDepth, f.PerMapU)) > 0.0) // else the frame below has no axes
+  {
+    mesoRoughness =
+      roughnessOfLevel(levels.Shaded, mesoSlopesLost, mesoRoughnessOfLevels, perLength);
+    float lacking = dot(betweenLevels(levels.Shaded, mesoSlopesLost), perLength);
+    mesoRoughShare = min((mesoRoughness.x + mesoRoughness.y) / max(lacking, 1.0e-20), 1.0);
+  }
 }
 
 // A direction in the frame of the base: along u, across it, along its normal.
@@ -113,13 +125,21 @@ vec2 slopeOfNormal(MesoFragment f, vec3 normalVC)
 // What a light gives to the relief, of which normalVC is the mean.
 float averagedCosine(vec3 normalVC, vec3 lightOutVC)
 {
-  if (!isAveraged())
+#ifdef MESO_SHADING
+  if (isAveraged())
   {
-    return dot(normalVC, lightOutVC);
+    return meanCosine(directionOverBase(mesoFragment, -mesoFragment.ViewVC),
+      directionOverBase(mesoFragment, lightOutVC), slopeOfNormal(mesoFragment, normalVC),
+      mesoRoughness);
   }
-  return meanCosine(directionOverBase(mesoFragment, -mesoFragment.ViewVC),
-    directionOverBase(mesoFragment, lightOutVC), slopeOfNormal(mesoFragment, normalVC),
-    mesoRoughness);
+#endif
+  return dot(normalVC, lightOutVC);
+}
+
+// Whether some of what has been averaged away looks to a light that its mean does not look to.
+bool averagedFaces(vec3 lightOutVC)
+{
+  return isAveraged() && dot(mesoFragment.NormalVC, lightOutVC) > 0.0;
 }
 
 // The share of a light that what has been averaged away does not block.

@@ -3,6 +3,7 @@
 //   MESO_SPECULAR     the material has a specular part (without one, VTK adds an exact zero)
 //   MESO_SELF_SHADOW  detail blocks light
 //   MESO_CAST_SHADOW  so does what lies beyond it (Common/ShadowMapDec)
+//   MESO_FILTER       relief is averaged over pixels (Common/HeightSurface)
 
 const float FarAway = 1.0e30; // of lights without a place
 
@@ -78,10 +79,10 @@ MesoLight positionalLight(vec3 positionVC, int positional, vec3 lightDirectionVC
 
 // Relief that has been averaged away shades as what it was (Common/HeightSurface).
 #ifdef MESO_FILTER
-bool isAveraged();
+bool averagedFaces(vec3 lightOutVC);
 float averagedCosine(vec3 normalVC, vec3 lightOutVC);
 #else
-bool isAveraged()
+bool averagedFaces(vec3 lightOutVC)
 {
   return false;
 }
@@ -127,7 +128,8 @@ void blockLights(vec3 positionVC)
 #endif
     // The facet's back has no light, whatever its interpolated normal says.
     blocked = 1.0;
-    if (dot(mesoHit.FacetNormalVC, -mesoLights[i].TravelVC) > 0.0 || isAveraged())
+    if (dot(mesoHit.FacetNormalVC, -mesoLights[i].TravelVC) > 0.0 ||
+      averagedFaces(-mesoLights[i].TravelVC))
     {
       int fetches;
       blocked = blockedFraction(
@@ -163,7 +165,7 @@ void shadeHeadlight(vec3 radiance, vec3 normalVC, vec3 diffuseColor, float specu
   float df = max(0.0, averagedCosine(normalVC, vec3(0.0, 0.0, 1.0)));
   mesoDiffuse = df * diffuseColor * radiance;
 #ifdef MESO_SPECULAR
-  mesoSpecular = pow(df, specularPower) * radiance;
+  mesoSpecular = pow(max(0.0, normalVC.z), specularPower) * radiance;
 #endif
 }
 
@@ -171,9 +173,11 @@ void shade(int index, vec3 radiance, vec3 normalVC, vec3 positionVC, float specu
 {
   MesoLight light = mesoLights[index];
   radiance = unblocked(index, radiance);
-  float df = max(0.0, light.Attenuation * averagedCosine(normalVC, -light.TravelVC));
-  mesoDiffuse += df * radiance;
+  mesoDiffuse +=
+    max(0.0, light.Attenuation * averagedCosine(normalVC, -light.TravelVC)) * radiance;
 #ifdef MESO_SPECULAR
+  // Of the mean alone: what is averaged away scatters none of it.
+  float df = max(0.0, light.Attenuation * dot(normalVC, -light.TravelVC));
   float sf = sign(df) * light.Attenuation *
     pow(max(0.0, dot(reflect(light.TravelVC, normalVC), normalize(-positionVC))), specularPower);
   mesoSpecular += sf * radiance;

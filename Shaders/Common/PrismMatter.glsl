@@ -1,6 +1,7 @@
 // What techniques that draw matter in prisms share once they have met it: its normals, and what light it
 // blocks (Wang2004, section 3.2). Stands on Common/PrismAccess. The technique itself defines the functions
 // that are declared here.
+//   MESO_SHELL_ENDS  the shell has edges, where light leaves it by a side
 
 // Change of the distance to matter over texture space, for shading, and that of the very voxel.
 vec3 matterGradient(vec3 place);
@@ -40,6 +41,41 @@ void takeMatterNormals(MesoFragment f, inout MesoSurfaceHit hit)
 #endif
 }
 
+#ifdef MESO_SHELL_ENDS
+// Prisms that light is followed through to find that it leaves the shell.
+const int MESO_MOST_LIT_PRISMS = 64;
+
+// Where light from the hit leaves the shell by a side, at most `reach`.
+float reachInShell(vec3 lightOutVC, float reach)
+{
+  vec3 origin = modelPointOf(mesoHitVC);
+  vec3 direction = mesoViewToModel * lightOutVC;
+  Prism prism = mesoPrism;
+  PrismChart chart = mesoChart;
+  float at = 0.0;
+  for (int i = 0; i < MESO_MOST_LIT_PRISMS && at < reach; ++i)
+  {
+    PrismSpan span = prismSpan(prism, origin, direction, at);
+    at = max(at, span.Leave);
+    if (span.Exit < 2)
+    {
+      return reach;
+    }
+    if (((prism.Flags >> (span.Exit + 1)) & 1) != 0)
+    {
+      return min(at, reach);
+    }
+    int beyond = chart.Beyond[span.Exit - 2];
+    if (beyond < 0)
+    {
+      return reach;
+    }
+    prism = fetchPrism(beyond, chart);
+  }
+  return reach;
+}
+#endif
+
 // How far light is followed from the hit, and its way in texture space per length: straight, as over a flat
 // base (Wang2004, section 3.2).
 float lengthFollowed(vec3 lightOutVC, float lightDistance, out vec3 way)
@@ -59,6 +95,9 @@ float lengthFollowed(vec3 lightOutVC, float lightDistance, out vec3 way)
   {
     reach = MESO_MAX_SHADOW_TILES / along;
   }
+#ifdef MESO_SHELL_ENDS
+  reach = reachInShell(lightOutVC, reach);
+#endif
   return max(reach, 0.0);
 }
 

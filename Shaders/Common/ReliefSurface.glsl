@@ -28,6 +28,9 @@ MesoSurfaceHit traceSurface(MesoFragment f)
 #endif
   if (seenFromBehind(f))
   {
+#ifdef MESO_FILTER
+    forgetRoughness();
+#endif
     return hit;
   }
 #ifdef MESO_OCCLUSION

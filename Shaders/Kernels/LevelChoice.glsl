@@ -15,7 +15,7 @@ const float SearchedShare = 0.2;
 const float ShadedShare = 0.1;
 // Share that a level must lack to shade as rough; twice that makes it wholly so.
 const float LeastRoughShare = 0.4;
-// Of slopes so steep a rough surface shows nothing but walls; squares of more could overflow.
+// For charts that all but vanish: squares of more could overflow. Levels are chosen so that it is 1 or so.
 const float MostRoughness = 1.0e6;
 
 struct PixelLevels
@@ -68,21 +68,18 @@ vec2 betweenLevels(float level, const vec2 numbers[ComparedLevels])
   return mix(from, numbers[below + 1], clamp(level - float(below), 0.0, 1.0));
 }
 
-// How far a level, or what is between two of them, shades as a rough surface (RoughRelief), 0 to 1: only where it lacks
-// most of the map's slopes. Of what is left else, walls above all, rays find how it hides and shades.
-float roughPart(float level, const vec2 lost[ComparedLevels], vec2 perLength)
-{
-  float share =
-    dot(betweenLevels(level, lost), perLength) / max(dot(lost[0], perLength), 1.0e-20);
-  return share > LeastRoughShare ? min((share - LeastRoughShare) / LeastRoughShare, 1.0) : 0.0;
-}
-
-// The variances of that surface's slopes along u and v, object space. roughness: those of each level, height per
-// map coordinate.
+// The variances along u and v, object space, of the slopes of a rough surface (RoughRelief) that stands for what a
+// level, or what is between two of them, lacks. Only where that is most of the map's slopes: of what is left else, walls
+// above all, rays find how it hides and shades. roughness: those of each level, height per map coordinate.
 vec2 roughnessOfLevel(float level, const vec2 lost[ComparedLevels],
   const vec2 roughness[ComparedLevels], vec2 perLength)
 {
-  float part = roughPart(level, lost, perLength);
-  return part > 0.0 ? min(part * perLength * betweenLevels(level, roughness), vec2(MostRoughness))
-                    : vec2(0.0);
+  float share =
+    dot(betweenLevels(level, lost), perLength) / max(dot(lost[0], perLength), 1.0e-20);
+  if (!(share > LeastRoughShare))
+  {
+    return vec2(0.0);
+  }
+  float part = min((share - LeastRoughShare) / LeastRoughShare, 1.0);
+  return min(part * perLength * betweenLevels(level, roughness), vec2(MostRoughness));
 }

@@ -16,7 +16,7 @@ float hiddenPerSeen(vec3 direction, vec2 meanSlope, vec2 variance)
     return 0.0;
   }
   float a = max(0.02, above / sqrt(2.0 * along));
-  return (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a);
+  return max(0.0, 1.0 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a);
 }
 
 // The share of what is seen that its own relief leaves in the light. Heights of what is seen and lit are those of one
@@ -33,7 +33,8 @@ float litShare(vec3 viewOut, vec3 lightOut, vec2 meanSlope, vec2 variance)
   return mix(apart, together, same);
 }
 
-// The mean of max(0, n . lightOut) over what is seen, n being the unit normals.
+// The mean of max(0, n . lightOut) over what is seen, n being the unit normals; of the mean slope where nothing is, as
+// at rims whose normal looks away.
 float meanCosine(vec3 viewOut, vec3 lightOut, vec2 meanSlope, vec2 variance)
 {
   vec2 spread = sqrt(3.0 * variance); // Gauss-Hermite: three places, the outer of a quarter of the middle's weight
@@ -50,5 +51,6 @@ float meanCosine(vec3 viewOut, vec3 lightOut, vec2 meanSlope, vec2 variance)
       seen += weight;
     }
   }
-  return seen > 0.0 ? lit / seen : 0.0;
+  float ofMean = max(0.0, lightOut.z - dot(meanSlope, lightOut.xy)) / sqrt(1.0 + dot(meanSlope, meanSlope));
+  return seen > 0.0 ? lit / seen : ofMean;
 }

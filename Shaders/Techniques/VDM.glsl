@@ -7,7 +7,8 @@
 //   MESO_VDM_FLAT_SHADOW light comes out of a flat base, as in the paper
 //   MESO_CURVATURE_AT_VERTEX  the view ray's has been found at the vertices, as in the paper
 //   MESO_VDM_NEAREST     the largest angle is that of the nearest texel, as in the paper
-//   MESO_FILTER          where texels are smaller than pixels, normals are those of a level of the map
+//   MESO_FILTER          where texels are smaller than pixels, normals are those of a level of the map, and what that
+//                        lacks shades as a rough surface, whose shadows take the place of the table's
 
 #ifdef MESO_CURVATURE_AT_VERTEX
 in float mesoViewCurvatureVSOutput; // Techniques/VDMVertex
@@ -179,7 +180,8 @@ float reliefBlocks(MesoFragment f, MesoSurfaceHit hit, vec3 travel, vec3 lift, f
   float reached = vdmPoint(table, into.Sine, into.Cosine, curvature, stored).RayLength;
   float blocked = reached < way.RayLength - shadowTolerance(f, hit, table, into) ? 1.0 : 0.0;
 #ifdef MESO_FILTER
-  blocked *= 1.0 - mesoRoughPart; // the table knows what has been averaged away, which blocks light but once
+  // The table knows what has been averaged away, which blocks light but once.
+  blocked *= rise > 0.0 ? 1.0 - mesoRoughShare : 1.0;
 #endif
   return blocked;
 }

@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>

@@ -148,6 +148,21 @@ TEST(VolumesAgainstReference, LocalShadowsAreThoseOfThePlane)
   EXPECT_GT(without.ShadowCast, 0.01);
 }
 
+TEST(VolumesAgainstReference, LightLeavesByTheEdges)
+{
+  // The side of a thick weave, under light from there: it comes in by the edge, and not through tiles that are not there.
+  MesoScene scene = Scene(R"({"shape": "plane", "size": [2, 2]})",
+    R"("technique": "shell-sdf", "volume": {"pattern": "weave", "size": [32, 32, 16]},
+      "scale": 0.6, "tiles": [2, 2], "quality": "high", "effects": ["shading", "occlusion", "depth",
+        "silhouette", "curvature", "open_boundary", "non_height_field", "self_shadow"])",
+    R"("position": [1.2, -3.2, 0.9], "view_up": [0, 0, 1])");
+  scene.Lights[0].Direction = { -0.3, 1., -0.1 };
+  const MesoGeometryError error = ErrorOf(scene);
+  std::cout << "wrong shadows: " << error.ShadowCast << "\n";
+  EXPECT_GT(error.CoverageIou, 0.998);
+  EXPECT_LT(error.ShadowCast, 0.01);
+}
+
 TEST(VolumesAgainstReference, ShadowsFromAfarAreInTheMap)
 {
   // Through the gaps of a chain the inside of the torus is seen, which its other side shades.

@@ -216,7 +216,7 @@ TEST_F(VDMOnTorus, CurvatureAtTheVerticesOfAPlaneIsThatOfItsPixels)
 
 TEST_F(VDMOnTorus, FarAwayNormalsAreAveraged)
 {
-  // Nearer to the mean of many pixels than without levels.
+  // Nearer to the mean of many pixels than without levels, though that is of what the table draws, and not the truth.
   for (const int rank : { 0, 8 })
   {
     const auto noise = MesoTestScene::Pattern("noise");
@@ -254,7 +254,7 @@ TEST_F(VDMOnTorus, FarAwayNormalsAreAveraged)
       }
       return std::sqrt(sum / 2500.);
     };
-    EXPECT_LT(meanDifference(MesoFilter::Auto, 9.), 0.8 * meanDifference(MesoFilter::None, 9.))
+    EXPECT_LT(meanDifference(MesoFilter::Auto, 9.), 0.85 * meanDifference(MesoFilter::None, 9.))
       << rank;
   }
 }

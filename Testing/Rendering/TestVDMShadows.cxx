@@ -20,6 +20,7 @@ struct Differences
 {
   int Darker = 0;  ///< blocked by the table alone
   int Lighter = 0; ///< blocked by the search alone
+  int Shadows = 0; ///< blocked by the search
 };
 
 /// Light on a plane of a map by a table of few azimuths, beside a certified search's: so many degrees off the
@@ -58,6 +59,7 @@ Differences OnAPlane(const char* pattern, double degrees, double depth)
   {
     differences.Darker += looked[i] > searched[i] ? 1 : 0;
     differences.Lighter += looked[i] < searched[i] ? 1 : 0;
+    differences.Shadows += searched[i] > 0. ? 1 : 0;
   }
   return differences;
 }
@@ -72,6 +74,7 @@ TEST(VDMShadows, TolerateWhatIsLostBetweenAnglesAndNoMore)
   EXPECT_LT(smooth.Lighter, 10);
   // Bricks' shadows begin behind their edges, and are not to be taken for errors.
   const Differences brick = OnAPlane("brick", 40., 0.3);
+  EXPECT_GT(brick.Shadows, 3000);
   EXPECT_LT(brick.Darker, 200);
   EXPECT_LT(brick.Lighter, 900);
 }

@@ -1,5 +1,5 @@
-// What mappers cannot take: composite data, and maps, images, volumes and tables that are larger than the
-// device's textures. Each is said once, with its size, and the base mesh is drawn.
+// What mappers cannot take: composite data, of which nothing is drawn, and maps, images, volumes and tables that are
+// larger than the device's textures, in whose place the base mesh is. Each is said once, with its class or size.
 
 #include "MesoAOVChecks.h"
 #include "MesoExpectedMessages.h"

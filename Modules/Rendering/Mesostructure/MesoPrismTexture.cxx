@@ -30,6 +30,21 @@ vtkSmartPointer<vtkImageData> ImageOf(vtkDataArray* table)
     std::copy(given, given + 4 * rows, values), values + 4 * image->GetNumberOfPoints(), 0.f);
   return image;
 }
+
+/// Whether a fin of any prism cuts what lies in the shell.
+bool HasCutFins(vtkDataArray* table)
+{
+  constexpr int CutBits = 7 << 3;
+  const auto* values = static_cast<const float*>(table->GetVoidPointer(0));
+  for (vtkIdType row = RowsOfPrism - 1; row < table->GetNumberOfTuples(); row += RowsOfPrism)
+  {
+    if ((static_cast<int>(values[4 * row]) & CutBits) != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 MesoPrismTexture::MesoPrismTexture()
@@ -58,6 +73,7 @@ std::string MesoPrismTexture::SetShell(vtkPolyData* shell)
     return "the input is no shell of prisms, which vtkMesoPrismShell makes";
   }
   this->SetImage(ImageOf(table));
+  this->Ends = HasCutFins(table);
   this->ShellTime = shell->GetMTime();
   centre->GetTuple(0, this->Centre.data());
   return {};

@@ -22,6 +22,9 @@ public:
   /// The point that the prisms' corners are counted from, object space.
   const std::array<double, 3>& GetCentre() const { return this->Centre; }
 
+  /// Whether the shell has edges, where what lies in it is cut.
+  bool HasEnds() const { return this->Ends; }
+
   void SetUniforms(vtkShaderProgram* program) override;
 
 protected:
@@ -31,6 +34,7 @@ private:
   vtkPolyData* Shell = nullptr; ///< that the image was made of; never looked into
   vtkMTimeType ShellTime = 0;
   std::array<double, 3> Centre = { 0., 0., 0. };
+  bool Ends = false;
 };
 
 #endif

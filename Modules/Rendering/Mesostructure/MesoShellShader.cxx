@@ -77,6 +77,10 @@ MesoShaderShape MesoShellShader::GetShape() const
   { shape.Chunks.insert(shape.Chunks.end(), chunks.begin(), chunks.end()); };
   const auto define = [&](const char* name, const std::string& value)
   { shape.Defines.emplace_back(name, value); };
+  if (this->Prisms.HasEnds())
+  {
+    define("MESO_SHELL_ENDS", "");
+  }
   if (this->UsesTable())
   {
     const int groups = this->Table.GetGroups();

@@ -109,10 +109,10 @@ void vtkMesoPolyDataMapper::ComputeBounds()
   vtkDataObject* data = this->GetInputDataObject(0, 0);
   if (data && !this->GetInput())
   {
-    this->WarnOnce("The input is a " + std::string(data->GetClassName()) +
+    this->WhyPlain = "The input is a " + std::string(data->GetClassName()) +
       " and only a vtkPolyData is drawn: vtkCompositeDataGeometryFilter makes one of the surfaces "
-      "of "
-      "composite data.");
+      "of composite data.";
+    this->WarnOnce(this->WhyPlain);
   }
   const MesoShaderShape shape = this->GetTechnique()->GetShape();
   if (vtkMath::AreBoundsInitialized(this->Bounds) && (shape.Traces || shape.Diced) &&

@@ -134,7 +134,8 @@ public:
   /// The effects that the shader of the last frame had compiled in.
   MesoEffects GetEffectsDrawn() const { return this->EffectsDrawn; }
 
-  /// Why the last frame shows the base mesh instead of the technique; empty where it does not.
+  /// Why the last frame shows the base mesh instead of the technique, or nothing of data that are no mesh; empty where
+  /// the technique is drawn.
   const std::string& GetWhyPlain() const { return this->WhyPlain; }
 
   /// Triangles that the last frame was drawn with.
