@@ -11,8 +11,8 @@
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>
