@@ -245,6 +245,22 @@ TEST(ReliefSampling, GentleReliefIsAsBrightAsTheTruth)
   }
 }
 
+TEST(ReliefSampling, BacksAreTheBaseHoweverFar)
+{
+  const auto fromBelow = [](const char* filter)
+  {
+    MesoScene field = Field(12., filter);
+    field.Camera.Position[2] = -12.;
+    field.Lights[0].Direction[2] = 0.8;
+    field.Nodes[0].Material.TwoSided = true;
+    field.Nodes[0].Mesostructure.Effects = {};
+    return DrawnPicture(field, 24, 24);
+  };
+  const Picture back = fromBelow("none");
+  EXPECT_GT(*std::max_element(back.begin(), back.end()), 0.3);
+  EXPECT_EQ(Distance(fromBelow("auto"), back), 0.);
+}
+
 TEST(ReliefSampling, GoingAwayThePictureNeverJumps)
 {
   // From texels of many pixels to pixels of many texels in steps of 5 %: what changes from one frame to
