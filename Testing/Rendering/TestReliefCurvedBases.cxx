@@ -6,6 +6,7 @@
 #include "MesoExpectedMessages.h"
 
 #include "MesoKernels.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 
@@ -181,6 +182,36 @@ TEST_P(ReliefCurvedBases, WhatBreaksEveryModelStaysFinite)
       this->Capture();
     }
   }
+}
+
+TEST_P(ReliefCurvedBases, TakeNormalsInObjectSpace)
+{
+  this->Use(MesoTestScene::Shape("torus"));
+  this->Mapper->SetHeightMap(MesoTestScene::Pattern("brick"));
+  vtkNew<vtkImageData> map; // one normal everywhere
+  map->SetDimensions(2, 2, 1);
+  map->AllocateScalars(VTK_FLOAT, 3);
+  for (int i = 0; i < 4; ++i)
+  {
+    map->GetPointData()->GetScalars()->SetTuple3(i, 0., 0.6, 0.8);
+  }
+  MesoNormalMapMeaning meaning;
+  meaning.Space = MesoNormalSpace::Object;
+  this->Mapper->SetNormalMap(map, meaning);
+  this->Scene.LookFrom(0., 0., 5.); // the object's axes are the view's
+  EXPECT_GT(this->Capture(), 1000);
+  float worst = 0.f;
+  for (int row = 0; row < Size; ++row)
+  {
+    for (int column = 0; column < Size; ++column)
+    {
+      if (this->Pass->GetValue("coverage", column, row) > 0.f)
+      {
+        worst = std::max(worst, std::abs(this->Pass->GetValue("normal.z", column, row) - 0.8f));
+      }
+    }
+  }
+  EXPECT_LT(worst, 1e-3f);
 }
 
 INSTANTIATE_TEST_SUITE_P(Arms, ReliefCurvedBases, testing::ValuesIn(Arms),
