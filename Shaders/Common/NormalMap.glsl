@@ -7,14 +7,9 @@
 uniform sampler2D mesoNormalMap;
 uniform vec3 mesoNormalFactor; // of the stored numbers
 uniform vec3 mesoNormalShift;  // added to them
-#ifdef MESO_NORMAL_OBJECT
-#ifndef MESO_NORMAL_MATRIX // declared by whichever comes first
-#define MESO_NORMAL_MATRIX
-uniform mat3 mesoNormalMatrix;
-#endif
-#elif defined(MESO_NORMAL_RELIEF)
+#if defined(MESO_NORMAL_RELIEF)
 uniform float mesoNormalScale;
-#else
+#elif !defined(MESO_NORMAL_OBJECT)
 in vec2 mesoTileScaleVSOutput; // object units per unit of the mesh's own coordinate
 #endif
 

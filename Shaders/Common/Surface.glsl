@@ -57,6 +57,8 @@ in vec3 mesoPositionVCVSOutput;
 in vec2 mesoTCoordVSOutput;
 in vec3 mesoNormalVCVSOutput;
 uniform vec2 mesoTiles;
+uniform mat3 mesoModelToView;  // of directions
+uniform mat3 mesoNormalMatrix; // of normals, likewise
 #ifdef MESO_DISPLACED
 in float mesoReliefVSOutput;
 #endif
@@ -71,7 +73,6 @@ in vec4 mesoUpperExitsVSOutput;
 in vec3 mesoNormalMCVSOutput;
 in vec3 mesoPerTCoordUVSOutput;
 in vec3 mesoPerTCoordVVSOutput;
-uniform mat3 mesoModelToView;
 uniform float mesoScale; // D in object units
 #endif
 #ifdef MESO_CURVATURE

@@ -8,10 +8,6 @@
 //   MESO_BASE_TURN    radians between points that are solved for, less where one is found far away
 //   MESO_SILHOUETTE   rays that come back are not drawn; without it, they draw the base
 uniform vec3 mesoBaseCentreVC; // what the image's positions are counted from
-#ifndef MESO_NORMAL_MATRIX // declared by whichever comes first
-#define MESO_NORMAL_MATRIX
-uniform mat3 mesoNormalMatrix;
-#endif
 uniform mat3 mesoViewToModel; // of directions
 
 // Pieces that a ray may have; Newton's steps for each point.

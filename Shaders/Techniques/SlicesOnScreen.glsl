@@ -4,9 +4,6 @@
 // from prism to prism. Where the shell ends it shows the cut through matter, as if a slice lay there. Stands on
 // Common/PrismShell and Common/SliceMatter.
 uniform float mesoSliceSpacing; // between two slices, object units
-#ifndef MESO_FRAME
-uniform mat3 mesoModelToView; // of directions
-#endif
 
 const float MESO_MOST_SLICES = 65536.0; // in a prism
 

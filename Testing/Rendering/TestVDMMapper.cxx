@@ -300,11 +300,7 @@ TEST(VDMMapper, AgreesWithReliefMappingAngleByAngle)
   vtkNew<vtkMesoVDMMapper> vdm;
   vdm->SetHeightMap(heights);
   vdm->SetTable(MesoSmallVDM(heights, 0.1, 0, Size, 32));
-  vtkNew<vtkMesoReliefMapper> relief;
-  relief->SetHeightMap(heights);
-  MesoMesostructureOptions options = relief->GetOptions();
-  options.Quality = MesoQuality::Certified;
-  relief->SetOptions(options);
+  const auto relief = CertifiedRelief(heights);
   for (const Case& one : { Case{ 0., 0.02, 0.05 }, Case{ 30., 0.05, 0.1 }, Case{ 50., 0.05, 0.3 },
          Case{ 70., 0.2, 1.5 }, Case{ 80., 1., 6. } })
   {
@@ -332,11 +328,7 @@ TEST(VDMMapper, AlongTheNormalTheMapItselfIsMet)
   // The first of 8 angles is at 7 degrees, and what it stores would be met at another depth.
   constexpr int Texels = 24;
   const auto heights = MesoTestScene::Pattern("smooth", Texels, Texels);
-  vtkNew<vtkMesoReliefMapper> relief;
-  relief->SetHeightMap(heights);
-  MesoMesostructureOptions options = relief->GetOptions();
-  options.Quality = MesoQuality::Certified;
-  relief->SetOptions(options);
+  const auto relief = CertifiedRelief(heights);
   vtkNew<vtkMesoVDMMapper> vdm;
   vdm->SetHeightMap(heights);
   VDMPlane plane(0., 3.6);

@@ -2,7 +2,6 @@
 
 #include "MesoTestVDM.h"
 #include "VDMPlane.h"
-#include "vtkMesoReliefMapper.h"
 #include "vtkMesoVDMMapper.h"
 
 #include "vtkDataArray.h"
@@ -28,11 +27,7 @@ struct Differences
 Differences OnAPlane(const char* pattern, double degrees, double depth)
 {
   const auto heights = MesoTestScene::Pattern(pattern, Size, Size);
-  vtkNew<vtkMesoReliefMapper> relief;
-  relief->SetHeightMap(heights);
-  MesoMesostructureOptions options = relief->GetOptions();
-  options.Quality = MesoQuality::Certified;
-  relief->SetOptions(options);
+  const auto relief = CertifiedRelief(heights);
   vtkNew<vtkMesoVDMMapper> vdm;
   vdm->SetHeightMap(heights);
   MesoVDMLayout layout;

@@ -6,9 +6,21 @@
 #include "MesoAOVChecks.h"
 #include "MesoTestScene.h"
 #include "vtkMesoAOVPass.h"
+#include "vtkMesoReliefMapper.h"
 
 #include <algorithm>
 #include <cmath>
+
+/// Relief mapping of a map by the search that misses nothing.
+inline vtkSmartPointer<vtkMesoReliefMapper> CertifiedRelief(vtkImageData* heights)
+{
+  auto relief = vtkSmartPointer<vtkMesoReliefMapper>::New();
+  relief->SetHeightMap(heights);
+  MesoMesostructureOptions options = relief->GetOptions();
+  options.Quality = MesoQuality::Certified;
+  relief->SetOptions(options);
+  return relief;
+}
 
 /// A plane of 2 x 2 with 4 x 4 tiles, seen from an angle off its normal and an azimuth by a parallel camera.
 struct VDMPlane : public MesoTestScene

@@ -26,8 +26,8 @@ MESOFILTERSMAPS_EXPORT std::vector<MesoHeightLevel> MesoMakeHeightPyramid(
 struct MesoMapSlopes
 {
   std::array<double, 2> MeanSquare = { 0., 0. };
-  std::array<double, 2> MeanSize = { 0.,
-    0. }; ///< of their absolute values: how much goes up and down
+  /// Of their absolute values: how much goes up and down.
+  std::array<double, 2> MeanSize = { 0., 0. };
 };
 
 /// Of the steps from texel to texel, without those over the map's border.
